@@ -5,15 +5,15 @@
  * \cgalConcept
  *
  * The concept `CurveNetwork` describes read access to a network of curves along the edges of an intrinsic
- * triangulation: the curves, their segments, and the order of the segments around each vertex. This concept is required
- * by certification, the measurement of curves, extraction, subdivision, cutting, flattening, direction fields,
- * `edges_near_curves()` and `write_network()`.
+ * triangulation: the curves, their segments, and the order of the segments around each vertex. The algorithms that
+ * require this concept are listed in Section \ref Flip_geodesicsAsked.
  *
  * A curve is a chain of segments; the end points of segments are called nodes. Each segment has its own `Segment_index`
  * and lies on a halfedge of the triangulation. Two consecutive segments of a curve form a joint, which has a left and a
  * right side. An object of type `Joint` identifies one side of a joint: it stores the side and the segment that arrives
- * at the joint. Segments on the same edge are ordered from left to right, even if they belong to different curves. This
- * order and the cyclic order of the halfedges around a vertex define a cyclic order of all segment ends at the vertex.
+ * at the joint. All segments on an edge are ordered from left to right, even if they belong to different curves. This
+ * order, together with the cyclic order of the halfedges around a vertex, defines a cyclic order of all segment ends at
+ * the vertex.
  *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Flip_geodesics::Edge_path_network<Triangulation>}
@@ -34,7 +34,7 @@ public:
   /// \name Curves
   /// @{
 
-  /// Returns the triangulation whose edges carry the curves. A model may return a non-`const` reference.
+  /// Returns the triangulation that contains the curves. A model may return a non-`const` reference.
   const Triangulation& triangulation() const;
 
   /// Returns the number of curves, including those that have contracted to a point. Curves are numbered from 0, and a
@@ -78,7 +78,7 @@ public:
   /// always fixed.
   bool is_head_fixed(Segment_index segment) const;
 
-  /// Returns whether a segment lies on the edge of halfedge `h`.
+  /// Returns whether a segment of this network lies on the edge of halfedge `h`.
   bool is_occupied(Halfedge_index h) const;
 
   /// Returns the segments on edge `e`, from left to right as seen along the first halfedge of `e`.
@@ -86,21 +86,21 @@ public:
 
   /// @}
   /// \name Joints
-  /// \pre `next(joint.incoming)` is not `null_index`
   /// @{
 
-  /// Returns the two segment ends that meet at a joint, in such an order that the wedge on `joint.side` extends
-  /// clockwise from the first end to the second.
+  /// Returns the two segment ends that meet at a joint. The wedge on the side `joint.side` extends clockwise from the
+  /// first end to the second. \pre `next(joint.incoming)` is not `null_index`
   std::pair<Segment_end, Segment_end> ends(const Joint& joint) const;
 
-  /// Returns the next segment end clockwise around the same vertex. The result is the given end if there is no other
-  /// end at the vertex. If the border of the surface or an edge held only by other networks comes first, the result is
-  /// a null end, for which `Segment_end::is_none()` returns `true`.
+  /// Returns the next segment end of this network clockwise around the vertex of `end`. If the border of the surface,
+  /// or an edge that only other networks hold, comes first, the result is a null end, for which
+  /// `Segment_end::is_none()` returns `true`. Otherwise, if `end` is the only end at the vertex, the result is `end`.
   Segment_end next_clockwise(const Segment_end& end) const;
 
-  /// Returns whether the curve turns back at a joint: the two ends at the joint are adjacent on one edge, and no face
-  /// lies between them on `joint.side`. The wedge on this side has angle zero. A wedge that extends around the whole
-  /// vertex also begins and ends at the same edge, but has a positive angle; for such a wedge, the result is `false`.
+  /// Returns whether the curve turns back at a joint such that the wedge on the side `joint.side` is empty and has the
+  /// angle zero. The two ends at the joint then lie next to each other on one halfedge. The wedge on the other side of
+  /// such a joint extends around the whole vertex; for this side, the result is `false`.
+  /// \pre `next(joint.incoming)` is not `null_index`
   bool is_turning_back(const Joint& joint) const;
 
   /// @}

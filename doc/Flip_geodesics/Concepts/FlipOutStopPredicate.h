@@ -7,9 +7,9 @@
  * The concept `FlipOutStopPredicate` describes a predicate that can end a shortening early. `shorten()` evaluates the
  * predicate from a single thread.
  *
- * Before a step takes effect, `shorten()` computes the outcome of the step and evaluates the predicate. If the
- * predicate rejects the step, `shorten()` rolls the step back. A predicate can therefore keep lengths from falling
- * below a limit, even if the next step would contract a curve to a point.
+ * For each step, `shorten()` computes the lengths after the step, and evaluates the predicate with them. If the
+ * predicate rejects the step, the step is not taken. A predicate can therefore keep lengths from falling below a limit,
+ * even if the next step would contract a curve to a point.
  *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Flip_geodesics::Never_stop_predicate}
@@ -28,13 +28,14 @@ class FlipOutStopPredicate
 {
 public:
   /// Returns `Stop_decision::CONTINUE` to accept the step, and otherwise the reason for rejecting it. If the result is
-  /// `Stop_decision::CURVE_LENGTH_LIMIT`, the curve of the step no longer changes, but other curves are still
-  /// shortened. Any other reason ends the shortening of all curves.
+  /// `Stop_decision::CURVE_LENGTH_LIMIT`, the curve of the step is not shortened further, but other curves are. Any
+  /// other reason ends the shortening of all curves.
   Stop_decision operator()(const Shortening_step& step) const;
 
-  /// (Optional) Returns a predicate of the same type in its initial state; for example, `Time_stop_predicate` restarts
-  /// its timer. The functions `geodesic_paths()`, `geodesics_through()` and `geodesic_path_through()` shorten several
-  /// curves. Before they shorten a curve, they call this member; during the shortening of this curve, they evaluate the
-  /// returned predicate. If this member is missing, these functions evaluate the same predicate for all curves.
+  /// (Optional) Returns a predicate of the same type in its initial state; for example, the result for a
+  /// `Time_stop_predicate` has a new timer. The functions `geodesic_paths()`, `geodesics_through()` and
+  /// `geodesic_path_through()` shorten several curves one after another. They call this member once for each curve, and
+  /// evaluate the returned predicate while they shorten this curve. If this member is missing, these functions evaluate
+  /// the same predicate for all curves.
   FlipOutStopPredicate restarted() const;
 };

@@ -6,24 +6,24 @@
  *
  * The concept `FlipOutVisitor` describes an observer of a shortening. A visitor can report progress, stop the
  * shortening, or record an animation. `shorten()` calls the members of the visitor from a single thread. If a member
- * throws an exception, the exception propagates through `shorten()`; the curves are then valid, and none of them is
- * longer than before.
+ * throws an exception, `shorten()` passes the exception on to its caller; the curves are then valid, and none of them
+ * is longer than before the call.
  *
  * `flip_to_delaunay()`, `refine()` and `Geodesic_tree::grow()` also take a visitor, and call `go_further()` and
  * `on_flip()`; the visitor of `refine()` must be a model of `RefinementVisitor`. Of the required members,
  * `Geodesic_distance_field::compute()`, `Logarithmic_map`, `geodesic_distance_matrix()`, `make_shortest()` and
- * `shortest_paths_by_class()` call only `go_further()`. The same holds for `geodesic_distances()` and
- * `logarithmic_map()` unless they grow a tree.
+ * `shortest_paths_by_class()` call only `go_further()`. `geodesic_distances()` and `logarithmic_map()` call
+ * `go_further()` and, if they grow a tree, `on_flip()`.
  *
- * The report of each of these functions states whether the visitor stopped the function. After the visitor has stopped
- * a function, nothing is certified, no output is written, and all objects remain usable.
+ * If the visitor stops one of these functions, the report of the function states this. A stopped function writes no
+ * output, and all objects remain valid.
  *
  * The computations in the following table call only `go_further()`, at regular intervals. After `go_further()` has
  * returned `false`, they do not call it again, and return the following results:
  *
  * | computation | result if it is stopped |
  * |---|---|
- * | `Shortest_edge_path`, `shortest_halfedges_through()`, `shortest_loop()` | no halfedges |
+ * | the search for a path with `Shortest_edge_path`, `shortest_halfedges_through()`, `shortest_loop()` | no halfedges |
  * | the search for the edge path in `geodesic_path()`, `geodesic_paths()`, `add_shortest_path()` | no path, and the status `Shortening_status::STOPPED_BY_VISITOR` |
  * | `Landmark_distances`, `Geodesic_landmarks`, `geodesic_landmarks()` | `is_complete()` returns `false`; all bounds are zero |
  * | `Loop_basis` | `is_complete()` returns `false`; the basis is empty |
@@ -56,13 +56,12 @@ public:
   bool go_further();
 
   /// (Optional) Is called by `geodesic_distance_matrix()` before each call of `go_further()`. The argument is the
-  /// fraction of rows that are complete, a number from 0 to 1. If this member is missing, `geodesic_distance_matrix()`
-  /// does not report progress.
+  /// fraction of rows that are complete, a number from 0 to 1.
   void on_progress(double fraction);
 
-  /// Is called after the edge of halfedge `h` has been flipped. During a shortening, this happens before the joint
-  /// whose wedge contained the edge is moved. This member is not called when the flips of a rejected step are rolled
-  /// back; a rollback can be detected only by `triangulation.log_position()`.
+  /// Is called after the edge of halfedge `h` has been flipped. During a shortening, the edges in the wedge of a joint
+  /// are flipped before the joint is moved. This member is not called when the flips of a rejected step are rolled
+  /// back; a visitor can detect a rollback only by `triangulation.log_position()`.
   template <class Triangulation>
   void on_flip(const Triangulation& triangulation, Halfedge_index h);
 

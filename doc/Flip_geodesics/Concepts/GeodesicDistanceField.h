@@ -15,8 +15,8 @@
  * these points. If the values differ by more, `isolines()` and `voronoi_boundaries()` still work, but the bounds stated
  * in their documentation need not hold.
  *
- * The value at a source, called its offset, need not be zero. In contrast to the offsets of `Geodesic_distance_field`,
- * this value may be negative.
+ * The value at a source, called its offset, need not be zero. It may even be negative, in contrast to the offsets of
+ * `Geodesic_distance_field`.
  *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Flip_geodesics::Interpolated_distances<TriangleMesh\,VertexDistanceMap>}
@@ -38,7 +38,7 @@ public:
   Answer operator()(face_descriptor face, const std::array<double, 3>& weights) const;
 
   /// (Optional) Returns `true` only if the nearest source is the same for all points of the face that have a finite
-  /// distance. If the result is `true`, `voronoi_boundaries()` does not search the face for boundaries. If this member
-  /// is missing, all faces are searched.
+  /// distance. If the result is `true`, `voronoi_boundaries()` does not search the face for regions that contain none
+  /// of its vertices. If this member is missing, all faces are searched for such regions.
   bool has_one_source(face_descriptor face) const;
 };

@@ -41,15 +41,14 @@ public:
   double length(const Mesh& mesh, Input_halfedge_index h) const;
 
   /// Returns the length of the edge of a halfedge without checking the length; searches for edge paths call this
-  /// member. The result is zero for a zero-length edge, and arbitrary if the length is not finite or not in
-  /// [1e-70, 1e70].
+  /// member. The result is zero for a zero-length edge, and arbitrary if `length()` throws `Invalid_coordinate_error`.
   double weight(const Mesh& mesh, Input_halfedge_index h) const;
 
   /// The type of the data of a vertex, such as the coordinates of its point. Lower bounds on distances are computed
-  /// from these data. The type must be default constructible and cheap to copy. If the type is a class without data
-  /// members, every lower bound is taken to be 0. If the type is `std::array<double, 3>`, the library interprets the
-  /// data as the coordinates of a point, and unfolds faces from these coordinates, for example in
-  /// `add_straightened_path()`.
+  /// from these data. The type must be default constructible and cheap to copy. A metric without lower bounds uses a
+  /// class without data members, and its `distance_lower_bound()` returns 0. If the type is `std::array<double, 3>`,
+  /// the library interprets the data as the coordinates of a point, and unfolds faces from these coordinates, for
+  /// example in `add_straightened_path()`.
   typedef unspecified_type Place;
 
   /// Returns `weight(mesh, h)` up to rounding errors, given the data of the two ends of the halfedge. This overload
@@ -59,10 +58,10 @@ public:
   /// Returns the data of vertex `v`.
   Place place(const Mesh& mesh, Vertex_index v) const;
 
-  /// Returns a lower bound on the lengths of all paths on the surface between two vertices, including paths across
-  /// faces. Verdicts on shortest paths are correct only if this bound is correct. The bound from a vertex to itself
-  /// must be 0. For every edge and every vertex, the bounds from the two ends of the edge to the vertex must differ by
-  /// at most the weight of the edge.
+  /// Returns a lower bound on the lengths of all paths on the surface, including paths across faces, between two
+  /// vertices with the data `p` and `q`. Verdicts on shortest paths are correct only if this bound is correct. The
+  /// bound from a vertex to itself must be 0. For every edge and every vertex, the bounds from the two ends of the edge
+  /// to the vertex must differ by at most the weight of the edge.
   double distance_lower_bound(const Place& p, const Place& q) const;
 
   /// (Optional) The type of the points of vertices in space; see `point_in_space()`. The type must have the members
@@ -75,13 +74,13 @@ public:
 
   /// (Optional) Returns the exact squared length of the edge of a halfedge. The result must be equal for both halfedges
   /// of the edge. The return type must be an exact number type with rational values: `Gmpq`, `mpq_class`,
-  /// `Exact_rational`, `cpp_rational`, `Lazy_exact_nt` of one of these, or an integer type of any size. `length()` must
-  /// return the square root of this number, rounded. The three lengths of a face must satisfy the triangle inequality;
-  /// equality is allowed.
+  /// `Exact_rational`, `cpp_rational`, `Lazy_exact_nt` of one of these, or an integer type such as `Gmpz` or `cpp_int`.
+  /// `length()` must return the square root of this number, rounded. The three lengths of a face must satisfy the
+  /// triangle inequality; equality is allowed.
   ///
   /// If this member exists, the default traits are `Certified_intrinsic_triangulation_traits`. The predicates of these
-  /// traits, and all certificates, then refer to the exact squared lengths. Traits that do not accept exact squared
-  /// lengths, such as `Intrinsic_triangulation_traits` in double, receive rounded lengths.
+  /// traits, and all certificates, then refer to the exact squared lengths. Traits whose `Construct_face_from_lengths`
+  /// does not have the overload for exact squared lengths receive rounded lengths.
   unspecified_type squared_length(const Mesh& mesh, Input_halfedge_index h) const;
 
   /// Returns the geometry of the face on the left of `h`, constructed by one of the functors of `traits`. The first
@@ -96,7 +95,8 @@ public:
 
   /// (Optional) Returns whether the metric rounds the numbers that define it, such as coordinates or lengths, to
   /// double. If the result is `true`, curves are not certified and distances are not confirmed, since predicates refer
-  /// to the rounded numbers. If this member is missing, the numbers of the metric are assumed not to be rounded.
+  /// to the rounded numbers. If this member is missing and `length()` returns a `double`, the numbers of the metric are
+  /// assumed not to be rounded.
   bool is_rounded(const Mesh& mesh) const;
 
   /// (Optional) Throws an exception if the metric detects, for example from the number of edges, that it was made for a

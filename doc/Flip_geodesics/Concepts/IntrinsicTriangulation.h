@@ -5,10 +5,8 @@
  * \cgalConcept
  *
  * The concept `IntrinsicTriangulation` describes a triangulation of a surface. The edges of the triangulation are
- * straight and can be flipped. This concept is required by `Edge_path_network`, `shorten()`, `Shortener`,
- * `order_overlapping_curves()`, `halfedges_through()`, `flip_to_delaunay()`, `is_delaunay()`, `edges_near_curves()`,
- * `Geodesic_tree`, `intrinsic_faces()`, `Operators`, and the solvers that are built on `Operators`. The table in
- * Section \ref Flip_geodesicsAsked lists the requirements of each algorithm.
+ * straight on the surface, and can be flipped. Section \ref Flip_geodesicsAsked lists the algorithms that require this
+ * concept.
  *
  * The elements are identified by the classes `Vertex_index`, `Halfedge_index` and `Edge_index`, and are numbered from
  * 0. The edge with number `e` has the halfedges `2e` and `2e+1`. A triangulation is a \f$\Delta\f$-complex: edges from
@@ -33,11 +31,11 @@ public:
   /// \name Types
   /// @{
 
-  /// A model of `IntrinsicTriangulationTraits`. Of these traits, algorithms that require only `IntrinsicTriangulation`
-  /// use the types `Turn` and `Has_drift` and the functor `Turn_key`.
+  /// A model of `IntrinsicTriangulationTraits`. Algorithms that require only `IntrinsicTriangulation` use, of these
+  /// traits, only the types `Turn` and `Has_drift` and the functor `Turn_key`.
   typedef unspecified_type Traits;
 
-  /// `Traits::Turn`.
+  /// The type `Traits::Turn`.
   typedef unspecified_type Turn;
 
   /// A model of `IntrinsicTriangulationWalker`: a handle that stores the position of a halfedge in memory, so that
@@ -93,7 +91,9 @@ public:
   /// Adds to `turn` the corner on the right of `h` at the tail of `h`, and returns `clockwise(h)`. If the result is
   /// `null_index`, `turn` is unchanged.
   Halfedge_index extend_turn_clockwise(Turn& turn, Halfedge_index h) const;
-  /// Returns whether `turn`, the angle clockwise from `from` to `to` around a vertex, is at least \f$\pi\f$.
+  /// Returns whether `turn`, the angle clockwise around a vertex from `from` to `to`, is at least \f$\pi\f$. If `to`
+  /// equals `from`, `turn` is the total angle at the vertex.
+  /// \pre `turn` consists of at least one corner; without its last corner, its angle is at most \f$\pi\f$
   bool is_straight(const Turn& turn, Halfedge_index from, Halfedge_index to) const;
   /// Returns whether the edge of `h` is locally Delaunay, that is, whether it is on the border or the two angles
   /// opposite to it add up to at most \f$\pi\f$.
@@ -103,23 +103,24 @@ public:
   /// \name Flips
   /// @{
 
-  /// Returns whether the edge of `h` can be flipped. An edge can be flipped if it is neither on the border nor held, it
-  /// is the diagonal of a convex quadrilateral, and each of its end vertices has another edge.
+  /// Returns whether the edge of `h` can be flipped. An edge can be flipped if it is neither on the border nor held, if
+  /// it is the diagonal of a strictly convex quadrilateral, and if each of its end vertices has another edge.
   bool is_flippable(Halfedge_index h) const;
   /// Flips the edge of `h`. If `(h, hn, hp)` and `(t, tn, tp)` are the faces on its two sides, the new faces are
   /// `(h, hp, tn)` and `(t, tp, hn)`. \pre `is_flippable(h)`
   void flip(Halfedge_index h);
   /// Returns the position of the end of the log. The log grows with each flip.
   Log_position log_position() const;
-  /// Rolls back flips in reverse order until the log ends at `position`. This restores the former state bitwise.
+  /// Rolls back flips in reverse order until the log ends at `position`. This restores the former connectivity and
+  /// geometry bitwise. The halfedges that `outgoing()` returns may differ from the former ones.
   void rollback(Log_position position);
   /// Returns the size of the records of flips, in bytes. `Memory_stop_predicate` compares this size with its limit.
   std::size_t memory_of_records() const;
 
   /// @}
   /// \name Held edges
-  /// Each network places exactly one hold on every edge on which it has segments. Functions that flip edges, such as
-  /// `shorten()` for another network and `flip_to_delaunay()`, do not flip held edges.
+  /// Each network places exactly one hold on every edge on which it has segments. Held edges are not flipped, neither
+  /// by `shorten()` nor by `flip_to_delaunay()`.
   /// @{
 
   /// Returns the number of holds on an edge, initially 0.
@@ -130,7 +131,7 @@ public:
   void release(Edge_index e);
   /// Returns the total number of holds on all edges.
   std::size_t number_of_holds() const;
-  /// Returns a number that is greater than `Walker::edge_place()` of every edge that a walker has visited.
+  /// Returns a number that is greater than `Walker::edge_place()` for every edge that a walker has visited.
   std::size_t number_of_edge_places() const;
 
   /// @}

@@ -8,15 +8,16 @@
  * from which the triangulation was constructed: the sequence of input edges that each edge crosses, and the positions
  * of inserted vertices.
  *
- * This concept is required by certification, the measurement of curves, extraction, subdivision, searches, drawn
- * polylines, splines, refinement, `logarithmic_map()`, `write_network()` and `read_network()`. If `Traits::Has_drift`
- * is `CGAL::Tag_true`, it is also required by `shorten()`, `Geodesic_tree` and `flip_to_delaunay()`.
+ * Section \ref Flip_geodesicsAsked lists the algorithms that require this concept. If `Traits::Has_drift` is
+ * `CGAL::Tag_true`, it is also required by `shorten()`, `Geodesic_tree` and `flip_to_delaunay()`.
  *
- * Edge sequences are exact. Since an edge is straight across the faces that its sequence connects, the sequence and the
- * input determine the edge, regardless of the rounding errors that the triangulation has accumulated.
+ * Edge sequences must be exact. An edge is straight in the unfolded faces along its edge sequence. The edge sequence
+ * and the input therefore determine the edge, regardless of the rounding errors in the geometry that the triangulation
+ * stores.
  *
- * `shorten()` and `certify()` measure the edges of a model `t` with the object that `edge_straightness(t)` returns.
- * This function is found by argument-dependent lookup; `Intrinsic_triangulation.h` declares it for all models.
+ * `shorten()` and `certify()` measure the edges of a model `t` with the object that `edge_straightness(t)` returns. The
+ * header `Intrinsic_triangulation.h` declares this function for all models. Programs that use a model of their own must
+ * include this header before the headers of the algorithms, unless argument-dependent lookup finds the function.
  *
  * The mesh may have non-manifold vertices, at which several umbrellas of faces meet. Curves and trees can pass through
  * such a vertex from one umbrella to another. The angle between directions in different umbrellas is undefined.
@@ -57,7 +58,7 @@ public:
   /// \name The input
   /// @{
 
-  /// Returns the mesh as it was when the triangulation was constructed. Before the first flip or insertion, vertices
+  /// Returns the numbered mesh, which flips and insertions do not change. Before the first flip or insertion, vertices
   /// and halfedges of the triangulation have the same numbers as in this mesh.
   const CGAL::Flip_geodesics::Numbered_mesh<Triangle_mesh>& input() const;
 
@@ -77,8 +78,9 @@ public:
   Edge_sequence edge_sequence(Halfedge_index h) const;
 
   /// Returns the number of input edges that start at the common tail of `from` and `to` and lie strictly inside the
-  /// wedge clockwise from `from` to `to`. If `from == to`, the wedge is the full turn. If the common tail was inserted
-  /// on an input edge, the two parts of this edge count as two edges. \pre the wedge does not contain the border
+  /// wedge clockwise from `from` to `to`. If `from == to`, the wedge extends once around the vertex. If the common tail
+  /// was inserted on an input edge, the two parts of this edge count as two edges. \pre the wedge does not contain the
+  /// border
   Index input_edges_in_wedge(Halfedge_index from, Halfedge_index to) const;
 
   /// Returns a number that changes whenever the edge changes, and that is 0 for an unchanged input edge.

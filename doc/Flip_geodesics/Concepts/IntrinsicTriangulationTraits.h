@@ -16,8 +16,8 @@
  * counterclockwise order, and `hp` is the previous halfedge. The halfedges `t`, `tn` and `tp` of a second face are
  * named in the same way.
  *
- * The geometry of a halfedge is given in a frame of the face on its left. Each functor receives the geometry of one
- * face, except for `Flip` and `Is_locally_delaunay`, which receive the geometry of both faces of an edge.
+ * The geometry of a halfedge is given in a coordinate frame of the face on its left. Different faces can have different
+ * frames.
  *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Flip_geodesics::Intrinsic_triangulation_traits<K>}
@@ -54,9 +54,9 @@ public:
   /// The result of a flip: a class with the members `h`, `t`, `tn` and `tp` of type `Halfedge_geometry`.
   typedef unspecified_type Flipped_geometry;
 
-  /// This type is `CGAL::Tag_true` if predicates can be wrong because the geometry of halfedges drifts away from that
-  /// of the input as the number of flips grows. `shorten()` then rolls back steps that lengthen a curve, measures
-  /// finished curves on the input, and continues to shorten bent curves.
+  /// This type is `CGAL::Tag_true` if predicates can be wrong because the errors in the geometry of halfedges grow with
+  /// the number of flips. `shorten()` then rolls back steps that lengthen a curve, measures finished curves on the
+  /// input, and continues to shorten bent curves.
   ///
   /// This type is `CGAL::Tag_false` if every certain result of `Compare_turn_with_straight` is correct. `shorten()`
   /// then relies on these results.
@@ -69,7 +69,7 @@ public:
 
   /// `Face_geometry operator()(const Point_3& p, const Point_3& q, const Point_3& r) const`: constructs the face whose
   /// halfedges lead from `p` to `q`, from `q` to `r` and from `r` to `p`. `Embedded_metric` calls the functor for each
-  /// input face that is used. \pre the points differ pairwise; they may be collinear
+  /// input face that is used. \pre no two of the points are equal; the points may be collinear
   ///
   /// A further overload, `Face_geometry operator()(const std::array<std::array<double, 3>, 3>& sides) const`, is
   /// optional. It constructs the face whose halfedges have the vectors `sides` in space. If this overload exists,
@@ -117,9 +117,9 @@ public:
   /// arithmetic on the input. If the result is uncertain and `Has_drift` is `CGAL::Tag_true`, the triangulation throws
   /// `CGAL::Uncertain_conversion_exception`. A model may also throw this exception itself.
   ///
-  /// The library calls the functor after each corner that it adds to a turn. If the result is not `SMALLER`, the
-  /// library adds no further corners. The functor therefore need not distinguish angles above \f$2\pi\f$ from small
-  /// angles.
+  /// The turn consists of the two corners that the faces of an edge have at one end of the edge, or its angle was below
+  /// \f$\pi\f$ before the last corner was added. Since each corner is at most \f$\pi\f$, the angle never exceeds
+  /// \f$2\pi\f$.
   typedef unspecified_type Compare_turn_with_straight;
 
   /// `double operator()(const Turn& turn) const`: returns a key by which turns with angles below \f$\pi\f$ are ordered.
@@ -213,8 +213,8 @@ public:
   /// \name Work limit
   /// @{
 
-  /// Returns the work limit for each sign that the triangulation determines by exact arithmetic. The triangulation does
-  /// so if the result of a functor is uncertain. The unit of the limit is that of
+  /// Returns the work limit for each sign that the triangulation determines by exact arithmetic because the result of a
+  /// functor is uncertain. The unit of the limit is that of
   /// `CGAL::Flip_geodesics::Certified_intrinsic_triangulation_traits::sign_work_limit()`. This member is required only
   /// if `Has_drift` is `CGAL::Tag_false`.
   std::uint64_t sign_work_limit() const;

@@ -5,8 +5,7 @@
  * \cgalConcept
  *
  * The concept `IntrinsicTriangulationWalker` describes a handle to a halfedge of an `IntrinsicTriangulation`. Its
- * members return information about the halfedge, and walkers at neighboring halfedges. The members from `tail()` to
- * `extend_turn_clockwise()` correspond to the members of the triangulation with the same names.
+ * members return information about the halfedge, and walkers at neighboring halfedges.
  *
  * \sa `IntrinsicTriangulation`
  */
@@ -45,8 +44,8 @@ public:
   IntrinsicTriangulationWalker extend_turn_clockwise(Turn& turn) const;
 
   /// Returns a number that identifies the edge, and that never changes. The library uses this number as an index into
-  /// arrays of edge data. A model can return the number of the edge. A model can also number the edges in the order in
-  /// which walkers first visit them; this makes the arrays short.
+  /// arrays of edge data. A model can return the number of the edge, or number the edges in the order in which walkers
+  /// first visit them; the latter keeps the arrays short.
   std::size_t edge_place() const;
   /// Returns whether the edge is held.
   bool is_held() const;

@@ -43,21 +43,22 @@ namespace CGAL::Flip_geodesics {
  * segment ends have a cyclic order: clockwise by incident edge, and on each edge from left to right as seen from the
  * vertex.
  *
- * The network satisfies the following invariant, which `is_valid()` checks. Curves are chains, and each bundle contains
- * exactly the segments on its edge. Around each vertex, the segment ends that free joints connect form a non-crossing
- * matching. All other segment ends at the vertex, and the border, lie in one region of this matching.
+ * `is_valid()` checks the following invariant. Curves are chains, and each bundle contains exactly the segments on its
+ * edge. Around each vertex, the segment ends that free joints connect form a non-crossing matching. All other segment
+ * ends at the vertex, and the border, lie in one region of this matching. Added curves can violate the conditions on
+ * the matching; `order_overlapping_curves()` orders the segments such that these conditions hold, if possible.
  *
- * Indices of removed segments are never reused.
+ * Indices of removed segments are not reused, except after a call of `clear()`.
  *
  * Several networks can have curves in one triangulation. A network holds the edges on which its curves lie, and held
  * edges are not flipped. Therefore, while one network is shortened, the curves of other networks do not move, and a
  * wedge that contains an edge of such a curve is blocked (`Wedge_state::BLOCKED`). Curves of different networks can
- * overlap along edges, but have no order on these edges, so each of them can leave a common edge on either side. Curves
- * that must not cross must belong to the same network.
+ * overlap along edges, but have no order on these edges, so they can cross there. Curves that must not cross must
+ * belong to the same network.
  *
  * \attention The network refers to its triangulation, which must not be destroyed while the network has curves. If the
- * triangulation is moved, the network must then be moved to the new triangulation by the constructor from a network and
- * a triangulation. A moved-from network can only be cleared, assigned to or destroyed.
+ * triangulation is moved while the network has curves, the network must then be moved to the new triangulation by the
+ * constructor from a network and a triangulation. A moved-from network can only be cleared, assigned to or destroyed.
  *
  * \tparam Triangulation_ a model of `IntrinsicTriangulation`. The functions `insert()` and `split_edge()` require a
  *         model of `IntrinsicTriangulationOfMesh`
@@ -127,7 +128,11 @@ public:
    *        and, if the curve is closed, the first one starts where the last one ends
    * \param np the named parameter `is_closed`, a `bool`: whether the curve is a closed loop; `false` by default
    * \return the index of the curve
-   * \throws Invalid_curve_error if there are no halfedges, or they do not form a chain
+   * \throws Invalid_curve_error if there are no halfedges, if one of them does not belong to the triangulation, or if
+   *         they do not form a chain
+   * \throws Invalid_mesh_error if a face at one of the halfedges is not a triangle
+   * \throws Degenerate_face_error if such a face has a degenerate edge or violates the triangle inequality
+   * \throws Invalid_coordinate_error if such a face has a coordinate or length that is not finite or is out of range
    *
    * Complexity: linear in the number of halfedges.
    */
@@ -151,11 +156,12 @@ public:
   }
 
   /// Fixes or frees the node at the head of segment `s`. \pre a node that is freed is not the end of an open path, and
-  /// no curves cross at it
+  /// the invariant of the network holds at this node after the call
   void set_head_fixed(Segment_index s, bool is_fixed) { m_segments.set_head_fixed(s, is_fixed); }
 
   /// Frees all nodes of a curve, except the ends of an open path.
-  /// \throws Crossing_curves_error if curves cross at one of these nodes; in this case the network is unchanged
+  /// \throws Crossing_curves_error if the invariant of the network would not hold at one of these nodes, for example
+  ///         because curves cross there; in this case the network is unchanged
   void free_nodes(Curve_index curve)
   {
     std::vector<Segment_index> freed;
@@ -183,7 +189,8 @@ public:
   /// Sets the initial length of a curve. This is useful if, for example, the curve was shortened before it was added.
   void set_initial_length(Curve_index curve, double length) { m_segments.set_initial_length(curve, length); }
 
-  /// Reorders the segments on edge `e`. \pre `order` is a permutation of `bundle(e)`
+  /// Reorders the segments on edge `e`; `order` contains them from left to right as seen along the first halfedge of
+  /// `e`. \pre `order` is a permutation of `bundle(e)`
   void set_bundle(Edge_index e, const std::vector<Segment_index>& order) { m_segments.set_bundle(e, order); }
 
   /*!
@@ -207,7 +214,7 @@ public:
     return m_triangulation->split_edge(h, location, gap, divide_bundles());
   }
 
-  /// Removes all curves. Complexity: linear in the number of segments.
+  /// Removes all curves. Complexity: linear in the number of all segments that the network has created so far.
   void clear() { m_segments.clear(); }
 
   /// @}
@@ -219,7 +226,8 @@ public:
   /// Returns the indices of all curves as a range with random access.
   auto curves() const { return internal::descriptors<Curve_index>(number_of_curves()); }
 
-  /// Returns one more than the largest segment index assigned so far. The indices start at 1.
+  /// Returns one more than the largest segment index assigned since the construction or the last call of `clear()`. The
+  /// indices start at 1.
   Index end_of_segment_ids() const { return m_segments.end_of_ids(); }
 
   /// Returns the first segment of a curve, or `null_index` if the curve has contracted to a point.
@@ -289,7 +297,7 @@ public:
   /// @{
 
   /// Returns the two segment ends that meet at a joint. The wedge on the side `joint.side` extends clockwise from the
-  /// first end to the second.
+  /// first end to the second. \pre `next(joint.incoming)` is not `null_index`
   std::pair<Segment_end, Segment_end> ends(const Joint& joint) const
   {
     const Segment_index x = joint.incoming, y = next(x);
@@ -322,7 +330,7 @@ public:
   }
 
   /// Returns the state and the angle of the wedge of a joint. The wedge is not inspected beyond an angle of \f$\pi\f$.
-  /// Complexity: linear in the number of inspected edges.
+  /// Complexity: linear in the number of inspected edges. \pre `next(joint.incoming)` is not `null_index`
   Wedge wedge(const Joint& joint) const
   {
     const Wedge result = look_into_wedge(joint);
@@ -331,8 +339,8 @@ public:
     return result;
   }
 
-  /// Returns whether the curve turns back at a joint: the two ends of the joint are adjacent on the same halfedge, and
-  /// the wedge has angle zero.
+  /// Returns whether the curve turns back at a joint such that the wedge on the side `joint.side` is empty and has the
+  /// angle zero. \pre `next(joint.incoming)` is not `null_index`
   bool is_turning_back(const Joint& joint) const
   {
     const auto [a, b] = ends(joint);
@@ -353,8 +361,7 @@ public:
    *
    * \param joint the joint
    * \param arc the halfedges of the arc
-   * \param affected a list to which the function appends the joints whose wedges must be inspected again. Joints whose
-   *        wedge is known to have an angle of at least \f$\pi\f$ are omitted
+   * \param affected a list to which the function appends the sides of joints whose wedges must be inspected again
    * \return the first new segment in the direction of the curve, or `null_index` if the arc is empty
    * \pre see `EdgePathGraph::replace_joint()`
    */
@@ -364,8 +371,8 @@ public:
   }
 
   /*!
-   * Replaces segment `s`, the only segment of a loop, by two segments \cgalCite{SC20,Appendix B}. `h` is the halfedge
-   * of `s` or its twin. The new segments lie on the other two edges of the face on the left of `h`.
+   * Replaces segment `s`, the only segment of a loop, by two segments on the other two edges of the face on the left of
+   * `h` \cgalCite{SC20,Appendix B}. The argument `h` is the halfedge of `s` or its twin.
    * \return the new segment that arrives at the node of the former segment
    * \pre no segments lie on the other two edges of the face
    */
@@ -391,8 +398,8 @@ public:
 
   /// @}
 
-  /// Returns whether the invariant of the network holds. Complexity: linear in the number of segments plus the sum of
-  /// the degrees of their vertices.
+  /// Returns whether the invariant of the network holds. Complexity: for each segment, linear in the degrees of its two
+  /// vertices plus the number of segments at these vertices.
   bool is_valid() const { return internal::Network_validity<Edge_path_network>(*this).is_valid(); }
 
   /*!
@@ -497,8 +504,8 @@ struct Internals<Edge_path_network<Triangulation>>
  * next one; if several edges connect them, the function chooses the shortest one.
  *
  * \param triangulation a model of `IntrinsicTriangulation`
- * \param vertices a range of vertices, as `Vertex_index`; for a closed chain, the first vertex is not repeated at the
- *        end
+ * \param vertices a range of vertices, as `Vertex_index`; for a closed chain, the first vertex must not be repeated at
+ *        the end
  * \param np the named parameter `is_closed`, a `bool`: whether the chain leads back to the first vertex; `false` by
  *        default
  * \throws Vertex_out_of_range_error if an index does not belong to a vertex
@@ -535,7 +542,8 @@ std::vector<Halfedge_index> halfedges_through(const Triangulation& triangulation
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Returns the chain of input halfedges along shortest edge paths between consecutive waypoints.
+ * Returns the chain of input halfedges along edge paths between consecutive waypoints. Each of these paths is the
+ * result of a given search.
  *
  * \param search a `Shortest_edge_path` on a triangulation whose edges are still those of the input
  * \param way_points at least two vertices, as `Vertex_index`; a vertex that equals the previous one is skipped. For a
@@ -559,6 +567,7 @@ std::vector<Halfedge_index> halfedges_through(const Triangulation& triangulation
  * \throws Invalid_curve_error if the range has fewer than two waypoints, or if all waypoints are the same vertex
  * \throws Vertex_out_of_range_error if an index does not belong to a vertex
  * \throws Disconnected_endpoints_error if there are two consecutive waypoints that no edge path connects
+ * \throws Invalid_coordinate_error as `Shortest_edge_path` does
  *
  * Complexity: that of one search of `Shortest_edge_path` for each pair of consecutive waypoints.
  */
@@ -740,10 +749,10 @@ Order_conflict order_if_possible(Network& network)
  * \attention Call this function after all curves have been added, because `add_curve()` merely arranges the segments on
  * an edge in the order in which they are added.
  *
- * The result depends only on the connectivity and is exact: if an order without crossings exists, such an order is
- * found, unless the search is aborted (see `Ambiguous_order_error` below). No such order exists, for example, if one
- * curve joins another from the left, runs along it, and leaves it on the right, or if a curve goes around an annulus
- * twice before it closes.
+ * The function does not use lengths or angles, and is exact: if an order without crossings exists, the function finds
+ * such an order, unless the search is aborted (see `Ambiguous_order_error` below). No such order exists, for example,
+ * if one curve joins another from the left, runs along it, and leaves it on the right, or if a curve goes around an
+ * annulus twice before it closes.
  *
  * Two curves that share a chain of edges are ordered by the sides on which they part at the two ends of the chain. An
  * end of the chain at which a path ends or a node is fixed does not determine an order. However, the following
@@ -752,9 +761,8 @@ Order_conflict order_if_possible(Network& network)
  *
  * If neither end of the chain determines the order, the orders of other segments on the same edges can determine it. If
  * they do not, the function chooses the order: the segment that was added first lies on the left, as seen in its
- * direction. If the curve of this segment has turned back an odd number of times before the segment, however, the
- * segment lies on the right. Copies of a curve that does not turn back therefore lie to the right of the curve if they
- * are added after it.
+ * direction. However, it lies on the right if its curve has turned back an odd number of times before this segment.
+ * Copies of a curve that does not turn back therefore lie to the right of the curve if they are added after it.
  *
  * If an exception is thrown, the curves are unchanged, but the order of their segments can have changed.
  *
@@ -766,9 +774,10 @@ Order_conflict order_if_possible(Network& network)
  *         that these paths share
  *
  * Complexity: \cgalBigO{n \log n + d + p \log p} time, where \f$n\f$ is the number of segments, \f$d\f$ is the sum of
- * the degrees of their vertices, and \f$p\f$ is the number of pairs of segments that lie on the same edge. The pairs
- * take about half a second per million pairs, and \cgalBigO{p} memory. If the choices described above are inconsistent,
- * revising them takes additional time proportional to \f$p\f$ times the maximal number of segments on one edge.
+ * the degrees of their vertices, and \f$p\f$ is the number of pairs of segments that lie on the same edge. A million
+ * pairs take about half a second, and the pairs require \cgalBigO{p} memory. If the choices described above contradict
+ * one another, revising them takes additional time proportional to \f$p\f$ times the maximal number of segments on one
+ * edge.
  */
 template <class Network>
 void order_overlapping_curves(Network& network)

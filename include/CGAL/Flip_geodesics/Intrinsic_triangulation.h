@@ -209,23 +209,23 @@ public:
   /// Returns the vertex that corresponds to vertex `v` of the input mesh, or `null_index` if `v` is not a vertex of the
   /// mesh.
   Vertex_index index(Mesh_vertex v) const { return input().index(v); }
-  /// Returns the halfedge that has the same number as halfedge `h` of the input mesh, or `null_index` if `h` is not a
-  /// halfedge of the mesh. The two halfedges correspond as long as the edge has been neither flipped nor split.
+  /// Returns the halfedge with the number that `input().index(h)` returns, or `null_index` if `h` is not a halfedge of
+  /// the mesh. The two halfedges correspond as long as the edge has been neither flipped nor split.
   Halfedge_index index(Mesh_halfedge h) const { return internal::as_intrinsic(input().index(h)); }
 
   /// Returns the vertex of the input mesh that corresponds to `v`. \pre `v` was not inserted
   Mesh_vertex vertex(Vertex_index v) const { return input().vertex(v); }
 
-  /// Returns the halfedge of the input mesh that has the same number as `h`. \pre `h` was not created by an insertion
+  /// Returns the halfedge of the mesh that has the number of `h` in `input()`. \pre `h` was not created by an insertion
   Mesh_halfedge input_halfedge(Halfedge_index h) const { return input().halfedge(internal::as_input(h)); }
 
   /// @}
   /// \name Connectivity
   /// The functions of this group take constant time. The face on the left of a halfedge is copied from the input when
-  /// it is first accessed. This access throws `Invalid_mesh_error` if the face is not a triangle, and
-  /// `Degenerate_face_error` if one of its edges has length zero or if its edge lengths violate the triangle
-  /// inequality. It throws `Invalid_coordinate_error` if a coordinate is not finite, or if a length is outside [1e-70,
-  /// 1e70].
+  /// it is first accessed. This access throws `Invalid_mesh_error` if the face is not a triangle or if the edge does
+  /// not belong to a face, and `Degenerate_face_error` if an edge of the face has length zero or if the edge lengths
+  /// violate the triangle inequality. It throws `Invalid_coordinate_error` if a coordinate is not finite, or if a
+  /// length is outside [1e-70, 1e70].
   /// @{
 
   /// Returns the opposite halfedge of `h`.
@@ -289,8 +289,8 @@ public:
   }
 
   /*!
-   * Extends `turn`, a clockwise rotation around the tail of `h`, by the angle at this vertex in the face on the right
-   * of `h`.
+   * Extends `turn`, a clockwise rotation around the tail of `h`, by the angle at the tail in the face on the right of
+   * `h`.
    * \return the next halfedge clockwise, or `null_index` if the border comes first; in that case `turn` is unchanged
    */
   Halfedge_index extend_turn_clockwise(Turn& turn, Halfedge_index h) const
@@ -299,7 +299,8 @@ public:
     return next.is_none() ? null_index : next.index();
   }
 
-  /// Extends `turn` by the angle at the head of `h`, from `next(h)` counterclockwise to `twin(h)`.
+  /// Extends `turn` by the angle at the head of `h`, from `twin(h)` clockwise to `next(h)`. \pre `h` is not on the
+  /// border
   void extend_turn(Turn& turn, Halfedge_index h) const { walker(h).extend_turn(turn); }
 
   /// @}
@@ -323,7 +324,7 @@ public:
 
   /// @}
 
-  /// Returns whether the accessed elements are consistent, as `is_valid(double)` does with a tolerance of 1e-9.
+  /// Returns whether all accessed elements are consistent, as `is_valid(double)` does with a tolerance of 1e-9.
   bool is_valid() const { return is_valid(internal::default_validity_tolerance); }
 
   /*!
@@ -389,15 +390,15 @@ using Default_traits = std::conditional_t<internal::has_exact_faces<Metric>,
 enum class Zero_length_edges {
   REFUSE, ///< `Degenerate_face_error` is thrown when a face with a degenerate (zero-length) edge is accessed
   /// the two ends of each degenerate edge are merged into one vertex, and faces with a degenerate edge are removed; if
-  /// two degenerate faces share an edge and the vertices opposite to this edge coincide, these two vertices are merged
-  /// as well, and both faces are removed
+  /// two degenerate faces share their longest edge and the vertices opposite to this edge coincide, these two vertices
+  /// are merged as well, and both faces are removed
   CONTRACT
 };
 
 /*!
  * \ingroup PkgFlipGeodesicsCurves
  *
- * Represents an intrinsic triangulation of a triangle mesh. Its edges connect the vertices of the mesh, are straight in
+ * Represents an intrinsic triangulation of a triangle mesh. Its edges connect the vertices of the mesh, are straight on
  * the surface, and can be flipped without changing the surface \cgalCite{SC20,section 3.1}.
  *
  * The triangulation is a \f$\Delta\f$-complex: an edge can be a loop, two edges can have the same two end points, a
@@ -413,20 +414,21 @@ enum class Zero_length_edges {
  *
  * \attention The mesh and its points must outlive the triangulation and must not be changed.
  *
- * The triangulation satisfies the following invariant: no side of a face is longer than the sum of the other two, the
- * two halfedges of an edge have the same length, and the normal coordinates of the edges (see `crossings()`) are
- * consistent with the input edges. `is_valid()` checks the invariant, except for the normal coordinates.
+ * The triangulation satisfies the following invariant: up to rounding errors, no side of a face is longer than the sum
+ * of the other two, and the two halfedges of an edge have the same length; the normal coordinates of the edges (see
+ * `crossings()`) are consistent with the input edges. `is_valid()` checks the invariant, except for the normal
+ * coordinates.
  *
  * Several threads may call `const` member functions concurrently if the mesh and its points can be read concurrently.
- * These functions copy faces of the input and cache derived data. Statistics, sizes of storage, and the halfedge that
- * `outgoing()` returns can depend on which faces have been accessed before; all other results cannot. While one thread
- * calls a member function that is not `const`, changes a network in the triangulation, or adds or releases a hold
- * through a walker, no other thread may use the triangulation.
+ * These functions copy faces of the input and cache derived data. Statistics, sizes and positions in memory, and the
+ * halfedge that `outgoing()` returns can depend on which faces have been accessed before; all other results cannot.
+ * While one thread calls a member function that is not `const`, changes a network in the triangulation, or adds or
+ * releases a hold through a walker, no other thread may use the triangulation.
  *
  * \cgalModels{IntrinsicTriangulationOfMesh}
  *
- * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`, triangulated, oriented and manifold; a
- *         `Surface_mesh` must not contain removed vertices or edges
+ * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`, triangulated and oriented; several umbrellas
+ *         may meet at a vertex. A `Surface_mesh` must not contain removed vertices or edges
  * \tparam Traits_ a model of `IntrinsicTriangulationTraits`; by default `Certified_intrinsic_triangulation_traits` of
  *         the kernel of the points. If `Metric_` is not the default metric, use `Default_traits<Metric_>`
  * \tparam Metric_ a model of `IntrinsicMetric`; by default the metric defined by the points of the mesh
@@ -488,19 +490,19 @@ public:
    * If `zero_length_edges` is `Zero_length_edges::CONTRACT`, the input of the triangulation is the contracted surface.
    * Of the vertices that are merged at a point, one represents all of them, and the others become isolated. If a face
    * has exactly one degenerate edge, the other two edges of the face become one edge. For an element of the mesh,
-   * `index()` returns the corresponding element of the triangulation, or `null_index` for a halfedge that no longer
-   * exists. `input_halfedge()` returns one of the halfedges of the mesh that correspond to its argument. If several
-   * umbrellas of the contracted surface meet only at a point, each of them has its own vertex at this point, so the
-   * umbrellas are not connected at this point.
+   * `index()` returns the corresponding element of the triangulation. If a halfedge no longer exists, the result is not
+   * valid (see `Descriptor::is_valid()`). `input_halfedge()` returns one of the halfedges of the mesh that correspond
+   * to its argument. If several umbrellas of the contracted surface meet only at a point, each of them has its own
+   * vertex at this point, so the umbrellas are not connected at this point.
    *
    * If the mesh has neither degenerate edges nor pairs of degenerate faces as described at
    * `Zero_length_edges::CONTRACT`, the result is the same as with `Zero_length_edges::REFUSE`.
    *
    * \throws Invalid_mesh_error if the mesh has too many elements, contains removed elements, or has a halfedge without
    *         a next halfedge
-   * \throws Degenerate_face_error if edges are contracted, and either a face has one zero-length edge and two edges of
-   *         different lengths, or the number of umbrellas that meet at a point exceeds the number of vertices at this
-   *         point
+   * \throws Degenerate_face_error if edges are contracted, and either a face has a zero-length edge and two other edges
+   *         of different lengths, or the number of umbrellas that meet at a point exceeds the number of vertices at
+   *         this point
    * \throws Input_mismatch_error if the metric detects that it was made for another mesh
    *
    * Complexity: constant for a `Surface_mesh`, and \cgalBigO{n \log n} for other meshes, where \f$n\f$ is the size of
@@ -538,7 +540,7 @@ public:
   /*!
    * Returns whether `turn`, the angle clockwise around a vertex from halfedge `from` to halfedge `to`, is at least
    * \f$\pi\f$. If `from == to`, `turn` is the total angle at the vertex.
-   * \pre `turn` consists of at least one corner, and was below \f$\pi\f$ before its last corner was added
+   * \pre `turn` consists of at least one corner; without its last corner, its angle is at most \f$\pi\f$
    */
   bool is_straight(const Turn& turn, Halfedge_index from, Halfedge_index to) const
   {
@@ -600,7 +602,7 @@ public:
   /// @{
 
   /// Returns whether the edge of `h` can be flipped \cgalCite{SC20,section 3.1.3}: it is not held, both its ends have a
-  /// degree greater than 1, and its two faces exist and form a convex quadrilateral.
+  /// degree greater than 1, and its two faces exist and form a strictly convex quadrilateral.
   bool is_flippable(Halfedge_index h) const
   {
     const Halfedge_index t = twin(h);
@@ -613,9 +615,8 @@ public:
    * Flips the edge of `h`. Let \f$a\f$ be the third vertex of the face of `twin(h)`, and \f$b\f$ the third vertex of
    * the face of `h`. After the flip, `h` leads from \f$a\f$ to \f$b\f$.
    *
-   * Flipping an edge four times restores the connectivity. A flip takes constant time, unless the traits require that a
-   * face be recomputed from the input. If an exception is thrown, such as `std::bad_alloc`, the triangulation is
-   * unchanged.
+   * A flip takes constant time, unless the traits require that a face be recomputed from the input. If an exception is
+   * thrown, such as `std::bad_alloc`, the triangulation is unchanged.
    * \pre `is_flippable(h)`
    */
   void flip(Halfedge_index h) { refresh_inaccurate(m_log.flip(store(), h)); }
@@ -625,8 +626,8 @@ public:
   Log_position log_position() const { return m_log.size(); }
 
   /*!
-   * Returns the number of bytes used by the records of changes: the flip log, the inserted points, and cached data
-   * about crossings and vectors.
+   * Returns the number of bytes used by the records of changes: the flip log, the inserted points, and cached edge
+   * sequences and vectors.
    *
    * With `Certified_intrinsic_triangulation_traits`, each flip takes about 165 bytes and at most 200 bytes, and the
    * records take a few megabytes in addition. With `Intrinsic_triangulation_traits` in double, each flip takes about
@@ -640,10 +641,10 @@ public:
     return m_log.memory() + m_points.size() * sizeof(internal::Inserted_point<Halfedge_geometry>) + m_history.memory();
   }
 
-  /// Undoes flips and insertions in reverse order until the flip log has `position` entries. The state that the
-  /// triangulation had at this position is restored bitwise. Complexity: linear in the number of undone entries. \pre
-  /// no network has a curve on an edge that the rollback changes, except for curves that are removed before they are
-  /// used again
+  /// Undoes flips and insertions in reverse order until the flip log has `position` entries. The connectivity and the
+  /// geometry that the triangulation had at this position are restored bitwise. The halfedges that `outgoing()` returns
+  /// can differ from the former ones. Complexity: linear in the number of undone entries. \pre no network has a curve
+  /// on an edge that the rollback changes, except for curves that are removed before they are used again
   void rollback(Log_position position = 0)
   {
     if(m_log.size() > position)
@@ -695,11 +696,11 @@ public:
    * \return the new vertex, or the existing one at the point
    * \throws Invalid_location_error if `location` is not a point of the surface
    * \throws Insertion_error if rounding errors have caused incorrect flips around the point, if the point is too close
-   *         to a vertex to be distinguished from it, or if the exact number type cannot represent the point; in each of
-   *         these cases the triangulation is unchanged
+   *         to a vertex to be distinguished from it, or if the number type of the traits is exact and edges around the
+   *         point have been flipped; in each of these cases the triangulation is unchanged
    * \throws Occupied_triangulation_error if a curve lies on the edge that contains the point; in this case the
    *         triangulation is unchanged. Use `Edge_path_network::insert()` to split such an edge
-   * \throws Degenerate_face_error if a visited face has a zero-length edge
+   * \throws Degenerate_face_error if a visited face has a degenerate edge or violates the triangle inequality
    * \throws Invalid_coordinate_error if a visited face has a coordinate or length that is not finite or is out of range
    *
    * Complexity: linear in the total length of the edge sequences of all edges that cross the input face of the point.
@@ -718,7 +719,7 @@ public:
 
   /*!
    * Inserts a point of the surface as a vertex as `insert(location)` does, and calls `on_split` if the insertion splits
-   * an edge. This edge can be held; `Occupied_triangulation_error` is not thrown.
+   * an edge. This edge can be held; the function itself does not throw `Occupied_triangulation_error`.
    *
    * The argument of `on_split` is an object with two halfedges as members: `first` is the halfedge that was split,
    * which now ends at the new vertex, and `second` leads from the new vertex to the former head of `first`. If
@@ -735,11 +736,11 @@ public:
    * Splits the edge of `h` at a point that lies on the edge up to rounding errors. Afterwards, the point is regarded as
    * lying exactly on the edge.
    *
-   * \param h a side of the edge
+   * \param h a halfedge of the edge
    * \param gap the number of edges in `edge_sequence(h)` that `h` crosses before it reaches the input face that
    *        contains the point
-   * \param location a point of this input face. The point can lie on the boundary of the face only if the edge of `h`
-   *        does
+   * \param location the point, in this input face. It can lie on an input edge only if the edge of `h` is a part of
+   *        this input edge
    * \param on_split a function object, as for `insert()`
    * \return the new vertex
    * \throws Insertion_error as `insert()` does
@@ -759,10 +760,10 @@ public:
   /*!
    * Splits the face on the left of `h` at a point inside this face.
    *
-   * \param h a side of the face
+   * \param h a halfedge of the face
    * \param gap the number of edges in `edge_sequence(h)` that `h` crosses before it reaches the input face that
    *        contains the point
-   * \param location a point of this input face
+   * \param location the point, in this input face
    * \return the new vertex
    * \throws Insertion_error as `insert()` does
    * \throws Invalid_location_error as `insert()` does
@@ -791,9 +792,9 @@ public:
    * the least recently used ones are discarded.
    *
    * Complexity: linear in the length of the sequence if the sequence is stored. Other sequences are computed from the
-   * normal coordinates: the crossed input edges are followed through the triangles of the triangulation until any two
-   * consecutive ones separate or end at a common vertex. This takes time linear in the number of these triangles plus
-   * the degree of the tail.
+   * normal coordinates: the crossed input edges are followed through the faces of the triangulation until any two
+   * consecutive ones separate or meet at a common vertex. This takes time linear in the number of these faces plus the
+   * degree of the tail.
    *
    * If points have been inserted, or if flips have replaced all input edges at both ends of `h`, a sequence that is not
    * stored is derived from the flip log instead. This takes time linear in the total length of the sequences of all
@@ -953,8 +954,7 @@ struct Intrinsic_face
  * Writes all faces of an intrinsic triangulation. The curves of all networks in the triangulation consist of edges of
  * these faces.
  *
- * Each face starts with its lowest-numbered halfedge, and the faces are ordered by these halfedges. Faces that have not
- * been accessed before are copied from the input.
+ * Each face starts with its lowest-numbered halfedge, and the faces are ordered by these halfedges.
  *
  * \param triangulation a model of `IntrinsicTriangulation`
  * \param out an output iterator that receives objects of type `Intrinsic_face`

@@ -66,9 +66,9 @@ void check_input(const Metric& metric, const Mesh& mesh)
  * triangulation, and is passed to the member functions of metrics.
  *
  * Vertices are numbered in the order of `vertices(mesh)`. The two halfedges of the edge at position `e` in
- * `edges(mesh)` have the numbers `2e` and `2e+1`. The numbers in a result can be converted back to elements of the
- * mesh. For example, if `h` is the `Input_halfedge_index` of a surface point, `triangulation.input().halfedge(h)` is
- * the halfedge of the mesh, and `face(triangulation.input().halfedge(h), mesh)` is the face of this halfedge.
+ * `edges(mesh)` have the numbers `2e` and `2e+1`, unless degenerate edges were contracted. The numbers in a result can
+ * be converted back to elements of the mesh. For example, if `h` is the `Input_halfedge_index` of a surface point,
+ * `triangulation.input().halfedge(h)` is the halfedge of the mesh.
  *
  * Complexity: constant for all member functions other than `index()`. If the mesh is a `Surface_mesh`, `index()` also
  * takes constant time. For other meshes, it takes time logarithmic in the size of the mesh.
@@ -88,7 +88,8 @@ public:
   Index number_of_halfedges() const; ///< returns the number of halfedges
   /// Returns the number of a vertex, or `null_index` if the vertex does not belong to the mesh.
   Vertex_index index(typename boost::graph_traits<TriangleMesh>::vertex_descriptor v) const;
-  /// Returns the number of a halfedge, or `null_index` if the halfedge does not belong to the mesh.
+  /// Returns the number of a halfedge. The result is not valid (see `Descriptor::is_valid()`) if the halfedge does not
+  /// belong to the mesh, or was removed when degenerate edges were contracted.
   Input_halfedge_index index(typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h) const;
   /// Returns the vertex of the mesh with a given number.
   typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex(Vertex_index v) const;
@@ -120,6 +121,8 @@ using Numbered_mesh = internal::Indexed_mesh<TriangleMesh>;
  *
  * Represents the metric of a mesh embedded in space: the length of an edge is the distance between its end points.
  *
+ * \cgalModels{IntrinsicMetric}
+ *
  * \tparam TriangleMesh a model of `FaceListGraph`
  * \tparam VertexPointMap a model of `ReadablePropertyMap` with the vertices of the mesh as keys and points as values
  */
@@ -148,8 +151,9 @@ public:
   /// Returns the point of vertex `v`.
   decltype(auto) point(const Mesh& mesh, Vertex_index v) const { return get(m_points, mesh.vertex(v)); }
 
-  /// Returns the length of halfedge `h`, rounded to double. \throws Invalid_coordinate_error if the length is out of
-  /// range or not finite \throws Degenerate_face_error if the length is zero
+  /// Returns the length of halfedge `h`, rounded to double.
+  /// \throws Degenerate_face_error if the length is zero
+  /// \throws Invalid_coordinate_error if the length is neither zero nor a number between 1e-70 and 1e70
   double length(const Mesh& mesh, Input_halfedge_index h) const
   {
     const double length = weight(mesh, h);
@@ -162,7 +166,8 @@ public:
     return length;
   }
 
-  /// The coordinates of a point: doubles or, for rational coordinates, approximations by doubles with an error bound.
+  /// The coordinates of a point. If the number type of the coordinates is exact and has rational values, these are
+  /// approximations by doubles with error bounds; otherwise, they are doubles.
 #ifdef DOXYGEN_RUNNING
   using Place = unspecified_type;
 #else
@@ -170,7 +175,8 @@ public:
 #endif
 
   /// Returns the length of halfedge `h` without checking it, for use in searches. The result is zero if the two points
-  /// are equal. Unless the coordinates are rational, the result is also zero if the square of the length underflows.
+  /// are equal. Unless the number type of the coordinates is exact, the result is also zero if the square of the length
+  /// underflows.
   double weight(const Mesh& mesh, Input_halfedge_index h) const
   {
     const double length = std::sqrt(squared_norm(vector(mesh, h)));
@@ -180,8 +186,8 @@ public:
     return length;
   }
 
-  /// Returns the length of halfedge `h`, given the positions of its two ends. For rational coordinates, the error is at
-  /// most a few units in the last place of the coordinates, and also at most \f$2^{-40}\f$ times the length.
+  /// Returns the length of halfedge `h`, given the coordinates of its two ends. If the coordinates are approximations,
+  /// the result differs from `weight(mesh, h)` by at most about \f$2^{-40}\f$ of the length.
   double weight(const Mesh& mesh, Input_halfedge_index h, const Place& tail, const Place& head) const
   {
     if constexpr(is_rational) {
@@ -207,8 +213,8 @@ public:
     }
   }
 
-  /// Returns a lower bound on the lengths of all paths on the surface between two points: the distance between these
-  /// points in space.
+  /// Returns a lower bound on the lengths of all paths on the surface between two points: their distance in space, or,
+  /// if the coordinates are approximations, a lower bound on this distance.
   double distance_lower_bound(const Place& p, const Place& q) const
   {
     if constexpr(is_rational)
@@ -238,8 +244,8 @@ public:
 
   /// Returns whether a coordinate of the mesh must be rounded. A coordinate must be rounded if its value is not that of
   /// a double and its number type does not provide the value as a fraction. If the function returns `true`, nothing is
-  /// certified, since predicates refer to the rounded coordinates. Complexity: constant. If the number type of the
-  /// kernel allows such coordinates, however, the first call takes time linear in the size of the mesh.
+  /// certified, since predicates refer to the rounded coordinates. Complexity: constant, except that the first call
+  /// takes time linear in the size of the mesh if the number type of the kernel allows such coordinates.
   bool is_rounded(const Mesh& mesh) const
   {
     if constexpr(is_rational || internal::is_within_double<internal::Coordinate<Point_3>>)
@@ -364,6 +370,8 @@ struct Internals<Embedded_metric<TriangleMesh, VertexPointMap>>
  * Represents a metric given by a length for each edge, without any embedding. Anisotropic metrics can be given in this
  * form.
  *
+ * \cgalModels{IntrinsicMetric}
+ *
  * \tparam TriangleMesh a model of `FaceListGraph`
  * \tparam EdgeLengthMap a model of `ReadablePropertyMap` with the edges of the mesh as keys and numbers as values
  */
@@ -385,7 +393,7 @@ public:
   /// Constructs the metric of given lengths.
   /// \param mesh the mesh, which must outlive the metric
   /// \param lengths the lengths of the edges in any unit, each between 1e-70 and 1e70. They must not change while the
-  ///        metric is used, since they are read whenever they are needed
+  ///        metric is used
   Edge_length_metric(const TriangleMesh& mesh, EdgeLengthMap lengths)
     : m_mesh(&mesh)
     , m_lengths(lengths)
@@ -397,8 +405,9 @@ public:
   {
   };
 
-  /// Returns the length of halfedge `h`, rounded to double. \throws Invalid_coordinate_error if the length is out of
-  /// range or not finite \throws Degenerate_face_error if the length is zero
+  /// Returns the length of halfedge `h`, rounded to double.
+  /// \throws Degenerate_face_error if the length is zero
+  /// \throws Invalid_coordinate_error if the length is neither zero nor a number between 1e-70 and 1e70
   double length(const Mesh& mesh, Input_halfedge_index h) const { return internal::length_by_weight(*this, mesh, h); }
 
   /// Returns the length of halfedge `h` without checking it, for use in searches.
@@ -407,7 +416,7 @@ public:
     return internal::imported_number(get(m_lengths, edge(mesh.halfedge(h), *m_mesh)));
   }
 
-  /// Returns the length of halfedge `h`; the other arguments contain no data.
+  /// Returns the length of halfedge `h`.
   double weight(const Mesh& mesh, Input_halfedge_index h, Place, Place) const { return weight(mesh, h); }
 
   /// Returns an empty object.
@@ -416,8 +425,8 @@ public:
   /// Returns zero, since lengths do not determine distances in space.
   double distance_lower_bound(Place, Place) const { return 0; }
 
-  /// Returns the exact squared length of halfedge `h`. Available only if the lengths have an exact number type with
-  /// rational values.
+  /// Returns the exact squared length of halfedge `h`. Available only if the number type of the lengths is exact, and
+  /// has rational values that need not be doubles.
 #ifdef DOXYGEN_RUNNING
   unspecified_type squared_length(const Mesh& mesh, Input_halfedge_index h) const;
 #else
@@ -441,8 +450,8 @@ public:
 
   /// Returns whether a length must be rounded. A length must be rounded if its value is not that of a double and its
   /// number type does not provide the value as a fraction. If the function returns `true`, nothing is certified, since
-  /// predicates refer to the rounded lengths. Complexity: constant. If the number type of the lengths allows such
-  /// values, however, the first call takes time linear in the size of the mesh.
+  /// predicates refer to the rounded lengths. Complexity: constant, except that the first call takes time linear in the
+  /// size of the mesh if the number type of the lengths allows such values.
   bool is_rounded(const Mesh&) const
   {
     if constexpr(is_rational || internal::is_within_double<Length>)
@@ -560,13 +569,13 @@ double least_stretch_of_faces(const Before& before, const After& after, const In
 /*!
  * \ingroup PkgFlipGeodesicsMetrics
  *
- * Represents a metric that is obtained from a given metric by adding a small number to the length of every edge
+ * Represents a metric that is obtained from a given metric by adding the same small number to the length of every edge
  * \cgalCite{SC20b,section 4.5}. This number is chosen such that each face satisfies the triangle inequality with a
  * margin. Meshes with degenerate edges and faces can be used with this metric, at the cost of a slightly different
  * surface.
  *
- * Curves are geodesics of the modified surface. If the given metric has points, however, the points of the curves are
- * computed on the original mesh.
+ * Curves are geodesics of the modified surface. If the given metric has points, however, the points of the curves lie
+ * on the original mesh.
  *
  * \tparam Metric `Embedded_metric`, `Edge_length_metric`, or a `Weighted_metric` of one of these two
  *
@@ -580,8 +589,8 @@ class Mollified_metric : private Metric
 
 public:
   using Mesh = typename Base::Mesh;       ///< the mesh, numbered
-  using Kernel = typename Base::Kernel;   ///< the kernel of the other metric
-  using Point_3 = typename Base::Point_3; ///< the point type of the other metric, `void` if it has none
+  using Kernel = typename Base::Kernel;   ///< the kernel of the given metric
+  using Point_3 = typename Base::Point_3; ///< the point type of the given metric, `void` if it has none
 
   /// Constructs a metric that equals the given metric: nothing is added to the lengths.
   explicit Mollified_metric(const Metric& metric)
@@ -590,7 +599,8 @@ public:
   }
 
   /*!
-   * Constructs the metric as the next constructor does, with a factor of 1e-5.
+   * Constructs the metric, and computes the length that is added to every edge. The margin of the triangle inequality
+   * is 1e-5 times the mean edge length.
    *
    * \param mesh the triangle mesh of the metric
    * \param metric the given metric
@@ -608,7 +618,7 @@ public:
   }
 
   /*!
-   * Constructs the metric, and computes the length that is added to every edge.
+   * Constructs the metric with a given margin, and computes the length that is added to every edge.
    *
    * \param mesh the triangle mesh of the metric
    * \param metric the given metric
@@ -638,8 +648,9 @@ public:
   /// equals the given metric.
   double added_length() const { return m_added; }
 
-  /// Returns the length of halfedge `h`, rounded to double. \throws Invalid_coordinate_error if the length is out of
-  /// range or not finite \throws Degenerate_face_error if the length is zero
+  /// Returns the length of halfedge `h`, rounded to double.
+  /// \throws Degenerate_face_error if the length is zero
+  /// \throws Invalid_coordinate_error if the length is neither zero nor a number between 1e-70 and 1e70
   double length(const Mesh& mesh, Input_halfedge_index h) const
   {
     return m_added == 0 ? Base::length(mesh, h) : internal::length_by_weight(*this, mesh, h);
@@ -658,9 +669,8 @@ public:
 
   using Base::place;
 
-  /// Returns the lower bound that the given metric returns. If almost degenerate faces require an allowance for
-  /// rounding errors, this bound is reduced. The result is a lower bound, because adding the same length to all edges
-  /// does not shorten any path.
+  /// Returns the lower bound that the given metric returns, multiplied by a factor of at most 1. The factor takes
+  /// rounding errors into account: in no face is a line segment shortened by more than this factor.
   double distance_lower_bound(const Place& p, const Place& q) const
   {
     return m_least_stretch * Base::distance_lower_bound(p, q);
@@ -669,8 +679,8 @@ public:
   /// Returns the point of vertex `v`. Available only if the given metric has points.
   decltype(auto) point(const Mesh& mesh, Vertex_index v) const { return Base::point(mesh, v); }
 
-  /// Returns the geometry of the face on the left of `h`, with `h` as the first halfedge. The geometry is constructed
-  /// from the lengths of the edges of the face. Throws the exceptions that `length()` throws.
+  /// Returns the geometry of the face on the left of `h`, with `h` as the first halfedge. Throws the exceptions that
+  /// this member of the given metric throws.
   template <class Traits>
   typename Traits::Face_geometry face_geometry(const Mesh& mesh, Input_halfedge_index h, const Traits& traits) const
   {
@@ -745,9 +755,8 @@ private:
  *
  * A weight given for an edge is the factor by which the length of this edge is multiplied.
  *
- * Weights that are constant on each face do not define edge lengths, since shortest paths are refracted like light at
- * edges between faces with different weights. Weights given for faces are therefore converted to weights of vertices:
- * the weight of a vertex is the mean of the weights of its incident faces.
+ * Weights given for faces do not define the length of an edge between two faces with different weights. They are
+ * therefore converted to weights of vertices: the weight of a vertex is the mean of the weights of its incident faces.
  *
  * If the weights change so much within a face that the new lengths violate the triangle inequality,
  * `Degenerate_face_error` is thrown when the shape of this face is needed. Smaller faces, smoother weights, or a
@@ -771,8 +780,8 @@ class Weighted_metric : private Metric
 
 public:
   using Mesh = typename Base::Mesh;       ///< the mesh, numbered
-  using Kernel = typename Base::Kernel;   ///< the kernel of the other metric
-  using Point_3 = typename Base::Point_3; ///< the point type of the other metric, `void` if it has none
+  using Kernel = typename Base::Kernel;   ///< the kernel of the given metric
+  using Point_3 = typename Base::Point_3; ///< the point type of the given metric, `void` if it has none
 
   /*!
    * Constructs the metric and reads all weights.
@@ -800,15 +809,15 @@ public:
   /// Returns the factor by which the length of halfedge `h` is multiplied.
   double factor(Input_halfedge_index h) const { return (*m_factors)[static_cast<std::size_t>(h.idx() / 2)]; }
 
-  /// Returns the length of halfedge `h`, rounded to double. \throws Invalid_coordinate_error if the length is out of
-  /// range or not finite \throws Degenerate_face_error if the length is zero
+  /// Returns the length of halfedge `h`, rounded to double.
+  /// \throws Degenerate_face_error if the length is zero
+  /// \throws Invalid_coordinate_error if the length is neither zero nor a number between 1e-70 and 1e70
   double length(const Mesh& mesh, Input_halfedge_index h) const { return internal::length_by_weight(*this, mesh, h); }
 
   /// Returns the length of halfedge `h` without checking it, for use in searches.
   double weight(const Mesh& mesh, Input_halfedge_index h) const { return Base::weight(mesh, h) * factor(h); }
 
-  /// The data of a vertex from which lower bounds are computed. These are the data of the given metric; they do not
-  /// determine the shapes of the faces in this metric.
+  /// The data of a vertex from which lower bounds are computed. These are the data of the given metric.
   using Place = std::conditional_t<std::is_empty<typename Base::Place>::value, typename Base::Place, Base_place>;
 
   /// Returns the length of halfedge `h`; the other arguments are ignored.
@@ -817,8 +826,8 @@ public:
   /// Returns the data of the given metric for vertex `v`.
   Place place(const Mesh& mesh, Vertex_index v) const { return {Base::place(mesh, v)}; }
 
-  /// Returns the lower bound that the given metric returns, multiplied by the smallest factor by which the weights
-  /// change the length of any line segment inside a face. This factor can be smaller than the smallest weight.
+  /// Returns the lower bound that the given metric returns, multiplied by the smallest factor by which the length of a
+  /// line segment inside a face changes. This factor can be smaller than the smallest weight.
   double distance_lower_bound(const Place& p, const Place& q) const
   {
     if constexpr(std::is_empty<Place>::value)
