@@ -68,9 +68,9 @@ public:
   /// Replaces the two segments of a joint by segments along `arc`.
   ///
   /// Let `e` be `ends(joint)`. `arc` is a chain of halfedges from the far node of the segment with end `e.first` to the
-  /// far node of the segment with end `e.second`. The far node of a segment is the node opposite to the joint. The
-  /// wedge lies on the right of the arc; if `joint.side` is the right side, the arc therefore leads against the
-  /// direction of the curve. Each new segment becomes the outermost segment of its edge on the side of the wedge.
+  /// far node of the segment with end `e.second`. The far node of a segment is the node at its other end. The wedge
+  /// lies on the right of the arc; if `joint.side` is the right side, the arc therefore leads against the direction of
+  /// the curve. Each new segment becomes the outermost segment of its edge on the side of the wedge.
   ///
   /// The arc is empty if and only if `is_turning_back(joint)` is `true`. In this case, a curve that consists of only
   /// these two segments contracts to a point.

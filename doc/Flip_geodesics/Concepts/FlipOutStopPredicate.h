@@ -34,7 +34,7 @@ public:
 
   /// (Optional) Returns a predicate of the same type in its initial state; for example, the result for a
   /// `Time_stop_predicate` has a new timer. The functions `geodesic_paths()`, `geodesics_through()` and
-  /// `geodesic_path_through()` shorten several curves one after another. They call this member once for each curve, and
+  /// `geodesic_path_through()` shorten several curves separately. They call this member once for each curve, and
   /// evaluate the returned predicate while they shorten this curve. If this member is missing, these functions evaluate
   /// the same predicate for all curves.
   FlipOutStopPredicate restarted() const;

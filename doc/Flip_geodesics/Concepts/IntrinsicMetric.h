@@ -4,9 +4,8 @@
  * \ingroup PkgFlipGeodesicsConcepts
  * \cgalConcept
  *
- * The concept `IntrinsicMetric` describes the lengths of the edges of a mesh and the shapes of its faces. Lengths and
- * shapes can be computed from points, or be given in another form. A model must be cheap to copy, since a triangulation
- * keeps a copy.
+ * The concept `IntrinsicMetric` describes the lengths of the edges of a mesh and the shapes of its faces. A model must
+ * be cheap to copy, since a triangulation keeps a copy.
  *
  * The argument `mesh` of the members is a mesh whose vertices and halfedges are numbered by consecutive integers, such
  * as the one that `Intrinsic_triangulation::input()` returns.

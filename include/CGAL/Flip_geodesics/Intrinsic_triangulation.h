@@ -408,10 +408,6 @@ enum class Zero_length_edges {
  * the same index. A flipped edge keeps its index. Points of the surface can be inserted as further vertices, whose
  * indices follow those of the existing vertices.
  *
- * Faces of the input are copied when they are first accessed. Construction therefore takes constant time for a
- * `Surface_mesh`. For other meshes, construction assigns indices to their elements and takes \cgalBigO{n \log n} time,
- * where \f$n\f$ is the size of the mesh.
- *
  * \attention The mesh and its points must outlive the triangulation and must not be changed.
  *
  * The triangulation satisfies the following invariant: up to rounding errors, no side of a face is longer than the sum
@@ -421,9 +417,9 @@ enum class Zero_length_edges {
  *
  * Several threads may call `const` member functions concurrently if the mesh and its points can be read concurrently.
  * These functions copy faces of the input and cache derived data. Statistics, sizes and positions in memory, and the
- * halfedge that `outgoing()` returns can depend on which faces have been accessed before; all other results cannot.
- * While one thread calls a member function that is not `const`, changes a network in the triangulation, or adds or
- * releases a hold through a walker, no other thread may use the triangulation.
+ * halfedge that `outgoing()` returns can depend on which faces have been accessed before; other results do not. While
+ * one thread calls a member function that is not `const`, changes a network in the triangulation, or adds or releases a
+ * hold through a walker, no other thread may use the triangulation.
  *
  * \cgalModels{IntrinsicTriangulationOfMesh}
  *
@@ -506,8 +502,8 @@ public:
    * \throws Input_mismatch_error if the metric detects that it was made for another mesh
    *
    * Complexity: constant for a `Surface_mesh`, and \cgalBigO{n \log n} for other meshes, where \f$n\f$ is the size of
-   * the mesh. If `zero_length_edges` is `Zero_length_edges::CONTRACT`, construction takes additional time linear in the
-   * size of the mesh.
+   * the mesh. If `zero_length_edges` is `Zero_length_edges::CONTRACT`, construction takes additional time, usually
+   * linear in the size of the mesh.
    */
   Intrinsic_triangulation(const TriangleMesh& mesh, const Metric& metric, const Traits& traits,
                           Zero_length_edges zero_length_edges)
@@ -551,8 +547,8 @@ public:
     return comparison.make_certain() != SMALLER;
   }
 
-  /// Returns how many filter failures have occurred in predicates of the traits since the triangulation was
-  /// constructed, and how these failures were resolved.
+  /// Returns how many filter failures have occurred in predicates of the triangulation since its construction, and how
+  /// these failures were resolved.
   Decision_statistics decision_statistics() const { return m_decisions.statistics(); }
 
   /// Returns whether the angles of the two faces of the edge of `h` at the head of `h` sum to at least \f$\pi\f$.
@@ -630,9 +626,13 @@ public:
    * sequences and vectors.
    *
    * With `Certified_intrinsic_triangulation_traits`, each flip takes about 165 bytes and at most 200 bytes, and the
-   * records take a few megabytes in addition. With `Intrinsic_triangulation_traits` in double, each flip takes about
-   * 100 bytes. Memory that number types allocate, such as the digits of rational numbers, is not included. `rollback()`
-   * frees the memory of all entries that it undoes, except for a few megabytes that are kept for reuse.
+   * records take a few megabytes in addition. Faces of the input are cached if the vectors that the triangulation
+   * stores are too inaccurate to determine a sign; each of them takes about 260 bytes. With
+   * `Intrinsic_triangulation_traits` in double, each flip takes about 100 bytes. Memory that number types allocate,
+   * such as the digits of rational numbers, is not included.
+   *
+   * `rollback()` frees the memory of all entries that it undoes, except for a few megabytes that are kept for reuse.
+   * Cached faces of the input remain cached.
    *
    * Complexity: constant.
    */
