@@ -775,9 +775,9 @@ Order_conflict order_if_possible(Network& network)
  *
  * Complexity: \cgalBigO{n \log n + d + p \log p} time, where \f$n\f$ is the number of segments, \f$d\f$ is the sum of
  * the degrees of their vertices, and \f$p\f$ is the number of pairs of segments that lie on the same edge. A million
- * pairs take about half a second, and the pairs require \cgalBigO{p} memory. If the choices described above contradict
- * one another, revising them takes additional time proportional to \f$p\f$ times the maximal number of segments on one
- * edge.
+ * pairs take some tenths of a second, and the pairs require \cgalBigO{p} memory. If the choices described above
+ * contradict one another, revising them takes additional time proportional to \f$p\f$ times the maximal number of
+ * segments on one edge.
  */
 template <class Network>
 void order_overlapping_curves(Network& network)
