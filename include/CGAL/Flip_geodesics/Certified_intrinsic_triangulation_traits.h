@@ -22,21 +22,20 @@ namespace CGAL::Flip_geodesics {
  * \ingroup PkgFlipGeodesicsTraits
  *
  * Provides exact predicates for intrinsic triangulations: each predicate is the sign of a real number that the input
- * defines. Coordinates and edge lengths are used exactly if they are doubles, or if their number type is exact and has
- * rational values, such as the `FT` of `Exact_predicates_exact_constructions_kernel`. Numbers of other types are
- * rounded to doubles.
+ * defines. Section \ref Flip_geodesicsCoordinates lists the number types whose values are used exactly. Numbers of
+ * other types are rounded to doubles.
  *
  * For each halfedge, a vector of two doubles and a bound on the relative error of this vector are stored. If the bound
  * is too large to determine a sign, the triangulation determines the sign from the input faces, by the methods listed
- * in Section \ref Flip_geodesicsCertified. These methods include exact arithmetic with the square roots of the squared
- * areas of the faces.
+ * in Section \ref Flip_geodesicsCertified. One of them is exact arithmetic with the square roots of the squared areas
+ * of the faces.
  *
  * Since exact arithmetic with many independent roots can take a very long time, it is subject to a work limit; see
- * `sign_work_limit()`. Unless this limit is reached, zeros are proven, and flipping terminates. A sign that cannot be
- * determined within the limit is assumed to be zero and counted in `Decision_statistics::unproven_zeros`. A certificate
- * that depends on this assumption has the verdict `PROBABLE` instead of `PROVEN`.
+ * `sign_work_limit()`. Unless this limit is reached, all signs are exact. A sign that cannot be determined within the
+ * limit is assumed to be zero and counted in `Decision_statistics::unproven_zeros`. A certificate that depends on this
+ * assumption has the verdict `PROBABLE` instead of `PROVEN`.
  *
- * \tparam K a kernel with `Point_3` and `FT`; numbers of type `FT` can be converted to double
+ * \tparam K a kernel with the types `Point_3` and `FT`; numbers of type `FT` must be convertible to double
  *
  * \cgalModels{IntrinsicTriangulationTraits}
  */
@@ -55,7 +54,7 @@ class Certified_intrinsic_triangulation_traits
 
 public:
   using FT = double;                   ///< the type to which squared lengths are rounded
-  using Has_drift = Tag_false;         ///< predicates reported as certain are correct
+  using Has_drift = Tag_false;         ///< results of predicates are correct if they are certain
   using Point_3 = typename K::Point_3; ///< the point type of the mesh
 
   /// Constructs traits with the default work limit, which corresponds to about a tenth of a second per sign.
@@ -70,12 +69,11 @@ public:
 
   /*!
    * Returns the work limit for computing one sign by exact arithmetic with square roots. The unit of work is the
-   * multiplication of two 64-bit words; each operation on integers counts as at least 32 units. The multiplication of
-   * two numbers with \f$r\f$ independent roots takes \f$4^r\f$ multiplications of integers.
+   * multiplication of two 64-bit words. Each multiplication of integers counts as at least 32 units. The multiplication
+   * of two numbers with \f$r\f$ independent roots takes up to \f$4^r\f$ multiplications of integers.
    *
-   * The limit does not apply to the other methods. They take time linear in the number of input faces on which the sign
-   * depends, with one exception: if these faces bend along parallel edges only, the sign of a sum of square roots is
-   * computed. The default work limit always applies to this computation.
+   * The other methods do not use this limit. One of them computes the sign of a sum of square roots, always with the
+   * default work limit, if all edges across which the input faces are not coplanar are parallel.
    */
   std::uint64_t sign_work_limit() const { return m_sign_work_limit; }
 

@@ -126,8 +126,8 @@ private:
  * The values \f$u_i\f$ minimize a convex function, whose Hessian matrix is the cotangent Laplacian. The minimum is
  * found by Newton's method; usually, a few sparse factorizations suffice. Faces that violate the triangle inequality
  * during the iteration are treated as degenerate \cgalCite{SSP08}. If such a face remains at the minimum, the problem
- * has no solution for this triangulation, and an exception is thrown. `refine_and_flatten()` does not throw in this
- * case, but splits edges of such faces in order to obtain a triangulation for which a solution exists.
+ * has no solution for this triangulation, and an exception is thrown. In this case, `refine_and_flatten()` splits edges
+ * of such faces in order to obtain a triangulation for which a solution exists.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulation`
  */
@@ -148,7 +148,7 @@ public:
   /*!
    * Cuts and flattens the surface.
    * \param network a model of `CurveNetwork` in a triangulation of a connected surface. The surface is cut along the
-   *        current curves of the network
+   *        current curves of the network. The triangulation must outlive the flattening
    * \param tolerance the largest accepted deviation of the angle sum at an interior vertex from \f$2\pi\f$, in radians
    * \throws Flattening_error if the cut surface is not a disk, if a face remains degenerate, or if the tolerance is
    *         exceeded
@@ -723,8 +723,8 @@ bool move_to_near_vertices(Network& network)
  * than about \f$10^{-7}\f$ times the length of this edge. If a curve is moved, the order of overlapping curves and the
  * fixed nodes are lost.
  *
- * \param network a network of the curves along which the surface is cut, in an `Intrinsic_triangulation` of a connected
- *        surface
+ * \param network an `Edge_path_network` of the curves along which the surface is cut, in an `Intrinsic_triangulation`
+ *        of a connected surface. The triangulation must outlive the returned object
  * \param np the named parameter `visitor` of `refine()`, whose members are called during the flips and the refinement
  * \return the flattening, with a tolerance of 1e-10 radians for angle sums
  * \throws Flattening_error if the cut surface is not a disk; if splitting edges does not lead to a solution; if the

@@ -41,22 +41,19 @@ struct Move_report
  * Each *leg*, the geodesic from one point to the next, is shortened independently, as by `geodesics_through()`, so legs
  * can cross each other. When a point is moved, each leg at this point is deformed continuously: the new leg is obtained
  * by shortening the concatenation of the old leg and the path of the move. All other legs remain bitwise identical.
- * `undo()` undoes moves.
+ * 
  *
  * The running time of a move depends only on the legs at the moved point and on the path of the move, not on previous
- * moves. The time is roughly proportional to the number of edges that these legs cross, multiplied by the number of
- * rows of vertices over which the legs sweep. A leg is unfolded along its edge sequence, shortened with a funnel
- * algorithm, and certified as by `certify()`, regardless of the traits. If the leg cannot be certified, edges are
- * flipped as by `shorten()`, and the flips are rolled back afterwards.
+ * moves. A leg is unfolded along its edge sequence, shortened with a funnel algorithm, and certified as by `certify()`,
+ * regardless of the traits. If the leg cannot be certified, edges are flipped as by `shorten()`, and the flips are
+ * rolled back afterwards.
  *
- * Guarantee: the end points and the edge sequence of a leg determine the leg bitwise, regardless of the moves that led
- * to it. If each homotopy class contains only one geodesic, the leg depends only on its end points and on the homotopy
- * class to which the moves lead. This is the case on surfaces whose interior vertices have angle sums of at least
- * \f$2\pi\f$. On other surfaces, a class can contain several geodesics, and the moves determine which of them is
- * obtained.
+ * The end points and the edge sequence of a leg determine the leg bitwise, regardless of the moves that led to it. If
+ * each homotopy class contains only one geodesic, the leg depends only on its end points and on the homotopy class to
+ * which the moves lead. This is the case on surfaces whose interior vertices have angle sums of at least \f$2\pi\f$. On
+ * other surfaces, a class can contain several geodesics, and the moves determine which of them is obtained.
  *
- * Each leg starts at the end of the previous leg, and is a geodesic if the verdict on it is `Verdict::PROVEN`. The
- * triangulation is unchanged after each call of a member function.
+ * The triangulation is unchanged after each call of a member function.
  *
  * \tparam Triangulation_ a model of `IntrinsicTriangulationOfMesh`
  */
@@ -70,9 +67,10 @@ public:
   using Triangulation = Triangulation_; ///< the type of the triangulation
 
   /*!
-   * Constructs a curve whose legs are obtained by shortening nearly shortest edge paths.
+   * Constructs a curve. If two consecutive points lie in a common face, the initial path of their leg is a straight
+   * line. Otherwise, the leg is obtained by shortening a nearly shortest edge path.
    *
-   * \param triangulation a triangulation that has no curves and whose log is empty; it must outlive the editor
+   * \param triangulation a triangulation that has no curves and whose log of flips is empty; it must outlive the editor
    * \param points a range of at least two points of the surface, of any type that `surface_location()` accepts.
    *        Consecutive points must not coincide. For a closed curve, the first point must not be repeated at the end
    * \param np the named parameter `is_closed`, a `bool`: whether a leg connects the last point to the first; `false` by
@@ -141,9 +139,7 @@ public:
     return sum;
   }
   /// Returns the verdict on a leg. The verdict is obtained by exact arithmetic from the coordinates or edge lengths of
-  /// the input. If coordinates or lengths of the mesh had to be rounded, the verdict is `UNDECIDED`. A leg can fail to
-  /// be a geodesic only if it requires flips and crosses itself, or if its computation exceeds the precision of the
-  /// traits.
+  /// the input. If coordinates or lengths of the mesh had to be rounded, the verdict is `UNDECIDED`.
   Verdict verdict(std::size_t i) const { return verdict(m_legs[i]); }
   /// Returns the verdict on the curve, which is the worst verdict on its legs.
   Verdict verdict() const
@@ -153,8 +149,7 @@ public:
       worst = (std::max)(worst, verdict(leg));
     return worst;
   }
-  /// Returns the numbers of filter failures of predicates in all certificates, according to how the failures were
-  /// resolved.
+  /// Returns the filter failures of predicates since the construction, and how they were resolved.
   const Decision_statistics& statistics() const { return m_mover.statistics(); }
 
   /// @}
@@ -164,8 +159,9 @@ public:
   /*!
    * Moves a point.
    *
-   * If the old and the new position of the point lie in one face, the path of the move is a straight line. If they do
-   * not, the path follows a nearly shortest edge path between vertices of the faces that contain the two positions.
+   * If the old and the new position of the point lie in a common face, the path of the move is a straight line.
+   * Otherwise, the path follows a nearly shortest edge path between vertices of the faces that contain the two
+   * positions.
    *
    * Dragging a point is a sequence of moves. The positions of the point determine the homotopy class of the path of the
    * drag if the distances between consecutive positions are smaller than the widths of the handles and holes near this
@@ -204,8 +200,8 @@ public:
    * \return a report on the recomputed legs
    * \pre `i < number_of_points()`
    * \throws Invalid_curve_error if the path does not start at `point(i)`, if two consecutive points do not lie in a
-   *         common face, or as `move()` does. If there is no common face, `elements()` returns the position of the
-   *         second point in the path
+   *         common face, or as `move()` does. If there is no common face, `elements()` returns the index of the second
+   *         of the two points in the path
    * \throws Invalid_location_error as `move()` does
    * \throws Occupied_triangulation_error as `move()` does
    * \throws Crossing_curves_error as `move()` does
@@ -229,8 +225,8 @@ public:
   /// Returns the number of moves that `undo()` can undo.
   std::size_t number_of_moves() const { return m_moves.size(); }
 
-  /// Undoes the last move. The previous legs are restored bitwise and are not recomputed. Returns `false` if there is
-  /// no move to undo.
+  /// Undoes the last move. The previous legs are restored bitwise and are not recomputed. Returns whether there was a
+  /// move to undo.
   bool undo()
   {
     if(m_moves.empty())

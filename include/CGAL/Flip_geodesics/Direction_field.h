@@ -36,8 +36,8 @@ namespace CGAL::Flip_geodesics {
  * over all fields with these directions \cgalCite{SC20,section 6.4 and Figure 26}. If no directions are prescribed, the
  * minimum is taken over all fields whose squared magnitude has the mean 1 in each connected component.
  *
- * Edges that are not Delaunay have negative weights, with which the energy can become negative. Flip the triangulation
- * to Delaunay first.
+ * Interior edges that are not Delaunay have negative weights, with which the energy can become negative. Flip the
+ * triangulation to Delaunay first.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulation`
  */

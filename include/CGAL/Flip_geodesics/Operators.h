@@ -33,15 +33,15 @@ namespace CGAL::Flip_geodesics {
  * \ingroup PkgFlipGeodesicsOperators
  *
  * Assembles the differential operators of linear finite elements on an intrinsic triangulation as sparse matrices over
- * `double`. The Laplacian is that of \cgalCite{BS07}.
+ * `double`.
  *
- * The operators depend only on the edge lengths. Flips change the discretization but not the continuous operators, and
- * a Delaunay triangulation improves the approximation.
+ * The matrices depend only on the edges of the triangulation and their lengths. If the triangulation is Delaunay, the
+ * weak Laplacian is that of \cgalCite{BS07}.
  *
- * The rows and columns of the matrices are numbered as follows. The vertex with index \f$v\f$ has number \f$v\f$. The
- * face with number \f$f\f$ is `faces()[f]`; faces are in the order of `intrinsic_faces()`. A vector in face \f$f\f$ has
- * two coordinates, with the numbers \f$2f\f$ and \f$2f+1\f$. They refer to a frame whose first axis is the direction of
- * the first halfedge of the face and whose second axis points to the left of this halfedge.
+ * The rows and columns of the matrices are numbered as follows. The vertex with index \f$v\f$ has the number \f$v\f$.
+ * The face with number \f$f\f$ is `faces()[f]`. The two coordinates of a vector in face \f$f\f$ have the numbers
+ * \f$2f\f$ and \f$2f+1\f$. The first coordinate axis of this face is the direction of the halfedge
+ * `faces()[f].halfedges[0]`; the second axis points to the left of this halfedge.
  *
  * Let \f$n\f$ be the number of vertices and \f$m\f$ the number of faces. Assembling a matrix takes \cgalBigO{n + m}
  * time and space. The object is a snapshot: later flips of the triangulation do not affect it.
@@ -75,7 +75,7 @@ public:
   /// Returns the number of vertices, \f$n\f$.
   std::size_t number_of_vertices() const { return m_number_of_vertices; }
 
-  /// Returns the faces in the order of their numbers.
+  /// Returns the faces in the order of their numbers, which is that of `intrinsic_faces()`.
   const std::vector<Intrinsic_face>& faces() const { return m_faces; }
 
   /// Returns the areas of the \f$m\f$ faces.
@@ -89,9 +89,10 @@ public:
 
   /*!
    * Returns the weak (integrated) Laplacian \f$L\f$, a symmetric, positive semi-definite \f$n \times n\f$ matrix. For a
-   * piecewise linear function \f$u\f$, \f$u^T L u\f$ is the Dirichlet energy \f$\int |\nabla u|^2\f$. The off-diagonal
-   * entries are the cotangent weights \f$L_{ij} = -(\cot\alpha_{ij} + \cot\beta_{ij})/2\f$, where \f$\alpha_{ij}\f$ and
-   * \f$\beta_{ij}\f$ are the angles opposite the edge.
+   * piecewise linear function \f$u\f$, \f$u^T L u\f$ is the Dirichlet energy \f$\int |\nabla u|^2\f$. If a single edge
+   * connects the vertices \f$i\f$ and \f$j\f$, the entry \f$L_{ij}\f$ is the cotangent weight
+   * \f$-(\cot\alpha + \cot\beta)/2\f$, where \f$\alpha\f$ and \f$\beta\f$ are the angles opposite this edge. On the
+   * border, where only one face has the edge, the second term is missing.
    */
   Matrix weak_laplacian() const
   {
@@ -157,7 +158,7 @@ public:
   /*!
    * Returns the \f$n \times 2m\f$ matrix of the weak (integrated) divergence of vector fields that are constant on each
    * face. The matrix maps a field \f$X\f$ to the numbers \f$-\int \nabla\varphi_i \cdot X\f$, where \f$\varphi_i\f$ is
-   * the hat function of vertex \f$i\f$. The weak Laplacian is therefore \f$L = -\mathrm{div}\,\nabla\f$.
+   * the hat function of vertex \f$i\f$. The weak Laplacian equals `-divergence() * gradient()`.
    */
   Matrix divergence() const
   {
@@ -187,12 +188,12 @@ private:
  * \ingroup PkgFlipGeodesicsOperators
  *
  * Defines the directions at the vertices of an intrinsic triangulation: each halfedge has an angle, in radians,
- * counterclockwise from the reference direction at the tail of the halfedge.
+ * measured counterclockwise from the reference direction at its tail.
  *
- * At a vertex in the interior of the surface, the angles are scaled to a sum of \f$2\pi\f$ \cgalCite{KCPS13}, and the
- * reference direction is that of the outgoing halfedge with the smallest index. At a vertex on the border, the angles
- * are not scaled, and the reference direction is that of the first outgoing halfedge in counterclockwise order: its
- * edge lies on the border, and a face lies on its left.
+ * At a vertex in the interior of the surface, the angles of the corners are scaled to a sum of \f$2\pi\f$
+ * \cgalCite{KCPS13}, and the reference direction is that of the outgoing halfedge with the smallest index. At a vertex
+ * on the border, the angles are not scaled, and the reference direction is that of the outgoing halfedge whose edge lies
+ * on the border and which has a face on its left.
  *
  * The object is a snapshot: later flips of the triangulation do not affect it. Construction takes time linear in the
  * size of the mesh.

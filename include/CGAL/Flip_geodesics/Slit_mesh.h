@@ -213,7 +213,7 @@ public:
     Mesh_edge edge;                                  ///< the edge of the mesh
     Mesh_halfedge halfedge = Graph::null_halfedge(); ///< a halfedge of the edge; at a slit, the halfedge with a face
     bool is_at_slit = false;                         ///< whether this is one of the two edges along a slit
-    bool is_outer = false; ///< whether the edge was obtained from its border halfedge at a slit
+    bool is_outer = false; ///< whether this descriptor was obtained from the border halfedge of an edge at a slit
 
     /// Returns the edge of the mesh.
     operator Mesh_edge() const { return edge; }
@@ -263,8 +263,7 @@ public:
     return found == m_number_of_copies.end() ? 1 : found->second;
   }
 
-  /// Returns the vertex at the tail of halfedge `h` in the face on the left of `h`, that is, the copy of the tail that
-  /// is a corner of this face.
+  /// Returns the copy of the tail of halfedge `h` that is a corner of the face on the left of `h`.
   /// \pre `h` has a face
   Vertex vertex_in_face(Mesh_halfedge h) const
   {

@@ -43,10 +43,9 @@ struct Surface_location
  * Stores a direction on the surface at a location: a reference halfedge, and an angle counterclockwise from this
  * halfedge.
  *
- * All functions that take or return angles of directions follow one rule: an angle refers to a halfedge that starts at
- * the location or is a side of a face that contains the location. The free functions take and return a direction as a
- * `std::pair` of a halfedge of the mesh and an angle. If a function chooses the reference halfedge, it uses the
- * halfedge of the location, or the twin of this halfedge if the halfedge is on the border. The halfedge of a
+ * The halfedge starts at the location or is a side of a face that contains the location. Free functions take and return
+ * a direction as a `std::pair` of a halfedge of the mesh and an angle. If a function chooses the reference halfedge, it
+ * uses the halfedge of the location, or the twin of this halfedge if the halfedge is on the border. The halfedge of a
  * `Face_location` is `halfedge(face, mesh)`. The halfedge of a vertex starts at the vertex.
  *
  * There are two exceptions. The angle in a `Trace_report` refers to the side through which the geodesic entered its
@@ -55,9 +54,8 @@ struct Surface_location
  */
 struct Surface_direction
 {
-  Input_halfedge_index halfedge =
-      null_index;   ///< a halfedge that starts at the location, or a side of a face that contains it
-  double angle = 0; ///< counterclockwise from the halfedge, in radians; at a vertex, across the incident faces
+  Input_halfedge_index halfedge = null_index; ///< the reference halfedge
+  double angle = 0; ///< counterclockwise from the halfedge, in radians; at a vertex, measured across the incident faces
 };
 
 /// \ingroup PkgFlipGeodesicsCurves

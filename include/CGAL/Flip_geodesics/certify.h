@@ -23,16 +23,15 @@ namespace CGAL::Flip_geodesics {
 /// Contains two measures of the straightness of a curve, computed from the input and the edge sequences of the curve.
 struct Straightness
 {
-  /// The largest bend of a segment, in radians; 0 if no segment is bent. The bend of a segment is the angle, as seen
-  /// from an end of the segment, by which the straight line between its ends leaves the strip of input faces that the
-  /// segment crosses.
+  /// The largest bend of a segment, in radians; 0 if no segment is bent. The bend of a segment is the largest angle by
+  /// which an end of a crossed edge lies on the wrong side of the straight line between the ends of the segment. The
+  /// angle is measured at the nearer end of the segment, in the unfolded strip of input faces.
   double largest_bend = 0;
   /// The smallest angle, in radians, at an unblocked side of a joint, or infinity if no such side exists.
   double smallest_angle = std::numeric_limits<double>::infinity();
 
-  /// Returns the tolerance, 1e-8 radians, which is far above the error of the measurement. A segment counts as straight
-  /// if its bend is at most the tolerance, and a side of a joint if its angle is at least \f$\pi\f$ minus the
-  /// tolerance.
+  /// Returns the tolerance, 1e-8 radians. A segment counts as straight if its bend is at most the tolerance, and a side
+  /// of a joint if its angle is at least \f$\pi\f$ minus the tolerance.
   static constexpr double tolerance() { return internal::reported_bend; }
   /// Returns the smallest angle, in radians, at which a side of a joint counts as straight: \f$\pi\f$ minus
   /// `tolerance()`.
@@ -51,7 +50,7 @@ struct Straightness
 /// Contains the verdict on one curve and, if the curve is bent, the position of a bend.
 struct Curve_certificate
 {
-  /// Constructs a certificate with a verdict and, if the curve is bent, the position of a bend.
+  /// Constructs a certificate.
   explicit Curve_certificate(Verdict verdict, Segment_index segment = null_index, Side side = Side::LEFT)
     : segment(segment)
     , side(side)
@@ -77,11 +76,10 @@ private:
  *
  * Measures the straightness of the curves of a network on the input mesh.
  *
- * The input faces that a segment crosses are unfolded, and the angles at the joints are summed over input faces. The
- * only results of flips that are used are the edge sequences of the segments. Since edge sequences consist of integers,
- * rounding errors of the flips have no influence. The unfolding is computed in double, with an error of a few units in
- * the last place per face. The idea of such a check is due to \cgalCite{SC20,section 5.1}; the unfolded strips are
- * specific to this package.
+ * The input faces that a segment crosses are unfolded, and the angles at the joints are summed over input faces. Of the
+ * triangulation, only the edge sequences of the segments are used, which consist of integers. Rounding errors of the
+ * flips therefore do not affect the measurement. The unfolding is computed in double. The idea of such a check is due
+ * to \cgalCite{SC20,section 5.1}.
  *
  * An object of this class becomes invalid when the edges of the triangulation change.
  *
@@ -156,8 +154,8 @@ public:
   }
 
   /*!
-   * Recomputes, from the input, the faces in the wedge at a side of a joint. This is useful because drift can make the
-   * angles of the triangulation inaccurate, especially in needles.
+   * Recomputes, from the input, the faces in the wedge at a side of a joint, whose angles may have become inaccurate by
+   * rounding errors of flips.
    * \return whether all faces could be recomputed; if not, rounding errors have caused incorrect flips
    */
   bool refresh_wedge(const Joint& joint, Triangulation& triangulation)
@@ -228,14 +226,15 @@ struct Network_certificate
 /*!
  * \ingroup PkgFlipGeodesicsProving
  *
- * Determines by exact predicates whether the curves of a network are locally shortest on the input mesh. The result
- * does not depend on the traits with which the curves were computed.
+ * Determines by exact predicates whether the curves of a network are locally shortest on the input mesh. Of the traits
+ * with which the curves were computed, only the work limit affects the result.
  *
- * A curve is locally shortest if it satisfies two conditions. First, the input faces that each segment crosses unfold
- * to a strip that contains the straight line between the ends of the segment. Second, each unblocked side of a joint
- * has an angle of at least \f$\pi\f$. The function compares exact real numbers, after a floating-point filter with
- * error bounds. The verdict on a contracted curve is `PROVEN`. If coordinates or lengths of the mesh must be rounded
- * (`Embedded_metric::is_rounded()`), no curve is certified, and all verdicts are `UNDECIDED`.
+ * A curve is locally shortest if it satisfies three conditions. First, the input faces that each segment crosses unfold
+ * to a strip that contains the straight line between the ends of the segment. Second, this line does not touch, between
+ * its ends, an interior vertex of the surface whose angles sum to less than \f$2\pi\f$. Third, each unblocked side of a
+ * joint has an angle of at least \f$\pi\f$. The function compares exact real numbers, after a floating-point filter
+ * with error bounds. The verdict on a contracted curve is `PROVEN`. If coordinates or lengths of the mesh must be
+ * rounded (`Embedded_metric::is_rounded()`), no curve is certified, and all verdicts are `UNDECIDED`.
  *
  * \param network a model of `CurveNetwork`, whose triangulation is a model of `IntrinsicTriangulationOfMesh`
  * \return one certificate per curve

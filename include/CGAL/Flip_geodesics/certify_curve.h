@@ -63,23 +63,22 @@ struct Given_curve_certificate
   /// The largest bend of the curve, rounded, in radians; 0 if the curve is not bent. If a segment is bent, the joints
   /// are not examined.
   ///
-  /// The bend at a joint is \f$\pi\f$ minus the angle on one side. For the bend of a segment, consider the shortest
-  /// path that connects the ends of the segment and crosses the same edges as the segment: the bend is the largest
-  /// angle by which this path turns at an end of one of these edges. If a straight segment touches a vertex whose
-  /// angles sum to less than \f$2\pi\f$, the bend of the segment is \f$2\pi\f$ minus this sum.
+  /// The bend at a joint is \f$\pi\f$ minus the angle on the side `side`. For the bend of a segment, consider the
+  /// shortest path that connects the ends of the segment and crosses the same edges as the segment: the bend is the
+  /// largest angle by which this path turns at an end of one of these edges. If a straight segment touches a vertex
+  /// whose angles sum to less than \f$2\pi\f$, the bend of the segment is \f$2\pi\f$ minus this sum.
   double bend = 0;
   vertex_descriptor vertex = boost::graph_traits<TriangleMesh>::null_vertex(); ///< the vertex at the bend
-  /// The number of the given point at the bend. At a joint, this is the number of the vertex through which the curve
-  /// passes; in a segment, it is the number of a crossed edge that ends at `vertex`.
+  /// The index of the point at the bend in the range of points passed to `certify_curve()`, counted from 0; it is not
+  /// the index of a vertex. At a bent joint, this point is `vertex`; in a bent segment, it represents a crossed edge of
+  /// which `vertex` is an end.
   std::size_t number = 0;
   Side side = Side::LEFT; ///< the side of a bent joint; in a segment, the side on which `vertex` lies
-  /// The positions at which segments cross edges, indexed by the numbers of the given points. The vector is empty if
-  /// the curve is bent. The entries of ends and of vertices through which the curve passes are 0.
+  /// The positions at which segments cross edges. The vector has one entry for each given point; the entries of ends
+  /// and of vertices through which the curve passes are 0. The vector is empty if the curve is bent.
   ///
   /// A position is 0 at the source of the given halfedge and 1 at its target. If a crossed edge is given by a location,
-  /// the position refers to the halfedge of the edge in the face of the location. The rounding error of a position is
-  /// about the machine epsilon times the length of the segment, divided by the length of the edge and by the sine of
-  /// the angle at which the segment crosses the edge.
+  /// the position refers to the halfedge of the edge in the face of the location. Positions are computed in double.
   std::vector<double> places;
   Decision_statistics statistics; ///< the filter failures, and how they were resolved
 
@@ -326,16 +325,18 @@ private:
  *
  * Determines by exact predicates whether a given curve is locally shortest, regardless of how the curve was computed.
  *
- * The vertices through which the curve passes divide the curve into segments. The curve is locally shortest if each
- * segment is a straight line across its crossed edges and if, at each vertex through which the curve passes, the angle
- * on each side that does not contain the border is at least \f$\pi\f$.
+ * The vertices through which the curve passes divide the curve into segments. The curve is locally shortest if it
+ * satisfies three conditions. First, each segment is a straight line across its crossed edges. Second, this line does
+ * not touch, between its ends, an interior vertex of the surface whose angles sum to less than \f$2\pi\f$. Third, at
+ * each vertex through which the curve passes, the angle on each side that does not contain the border is at least
+ * \f$\pi\f$.
  *
  * Since a segment is determined by its end points and its edge sequence, the function ignores the given positions on
  * crossed edges and returns the correct positions.
  *
  * An end inside a face or on an edge is exactly the point whose barycentric coordinates are the given weights divided
  * by their sum. If an end is given by a position t on a halfedge, the weights are t and the rounded value of 1 - t.
- * Ends are not snapped. The angles at the ends of an open curve can be arbitrary.
+ * Ends are not moved to nearby edges or vertices. The angles at the ends of an open curve can be arbitrary.
  *
  * \param mesh a triangle mesh
  * \param curve a range of points on the mesh: vertices, `CGAL::Polygon_mesh_processing::Face_location`s,
@@ -343,14 +344,14 @@ private:
  *        ends. Every other point is a vertex through which the curve passes, or represents an edge that the curve
  *        crosses: by a location with exactly one weight of zero, or by a position on either halfedge of the edge. A
  *        segment that crosses no edges lies on the edge, or in the face, that contains both ends of the segment
- * \param np an optional sequence of named parameters. If `is_closed`, a `bool` that is `false` by default, is `true`,
- *        the curve continues from the last point to the first; the first point must be a vertex, and must not be
- *        repeated at the end. The parameters `vertex_point_map` or `metric`, and `geom_traits`, are those of
+ * \param np an optional sequence of named parameters. With `is_closed(true)`, the curve continues from the last point
+ *        to the first; the first point must then be a vertex, and must not be repeated at the end. By default, the
+ *        curve is open. The parameters `vertex_point_map` or `metric`, and `geom_traits`, are those of
  *        `geodesic_path()`
  * \return the certificate of the curve
  * \throws Invalid_curve_error if there are too few points, two consecutive points are equal or have no common face, a
  *         point other than an end lies inside a face, a crossed edge is on the border, or a closed curve does not start
- *         at a vertex. `elements()` returns the number of the invalid point, if there is one
+ *         at a vertex. `elements()` returns the index of the invalid point in `curve`, if there is one
  * \throws Invalid_location_error if the face of a location does not belong to the mesh, or if a weight of an end is
  *         negative, NaN, too small or too large
  * \throws Vertex_out_of_range_error if a vertex does not belong to the mesh or is isolated

@@ -68,7 +68,7 @@ public:
    * \throws Invalid_coordinate_error if a face along the curve has an invalid coordinate
    * \throws Invalid_mesh_error if a face along the curve is invalid
    *
-   * Complexity: linear in the number of locations and the degrees of the vertices among them.
+   * Complexity: linear in the number of locations plus the sum of the degrees of the vertices among them.
    */
   template <class LocationRange>
   Surface_direction operator()(const LocationRange& locations, const Surface_direction& direction,
@@ -91,8 +91,9 @@ private:
 /*!
  * \ingroup PkgFlipGeodesicsTangents
  *
- * Represents a curve that is straight between consecutive locations and is parametrized by arc length. Member functions
- * return the location and the direction of the curve at a given length from the start.
+ * Represents a curve that is straight between consecutive locations. Member functions return the location and the
+ * direction of the curve at a given length from the start, measured along the curve. A length that exceeds `length()`
+ * only by rounding errors counts as `length()`.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; flips made in it do not affect the result
  */
@@ -112,7 +113,7 @@ public:
    * \throws Invalid_coordinate_error if a face along the curve has an invalid coordinate
    * \throws Invalid_mesh_error if a face along the curve is invalid
    *
-   * Complexity: linear in the number of locations and the degrees of the vertices among them.
+   * Complexity: linear in the number of locations plus the sum of the degrees of the vertices among them.
    */
   template <class LocationRange>
   Located_curve(const Triangulation& triangulation, const LocationRange& locations)
@@ -133,8 +134,8 @@ public:
   const std::vector<Surface_location>& locations() const { return m_sleeve.places(); }
 
   /*!
-   * Returns the number of the piece that contains the point at a given length from the start. Piece `i` leads from
-   * `locations()[i]` to `locations()[i + 1]`. For a common point of two pieces, the number of the second piece is
+   * Returns the index of the piece that contains the point at a given length from the start. Piece `i` leads from
+   * `locations()[i]` to `locations()[i + 1]`. For a common point of two pieces, the index of the second piece is
    * returned.
    *
    * \throws Invalid_parameter_error if the length is not between 0 and `length()`
@@ -149,9 +150,10 @@ public:
 
   /*!
    * Returns the location at a given length from the start. The location refers to the face in which the curve
-   * continues. The location of the end refers to the face in which the curve arrives.
+   * continues. The location of the end refers to the face in which the curve arrives. If the curve is a point, this
+   * point is returned for every length.
    *
-   * \throws Invalid_parameter_error if the length is not between 0 and `length()`
+   * \throws Invalid_parameter_error if the length is not between 0 and `length()` and the curve is not a point
    *
    * Complexity: logarithmic in the number of locations.
    */
@@ -231,7 +233,8 @@ private:
  * Returns the counterclockwise angle from one direction at a location to another direction at this location. If the
  * location is not a vertex, the result is at least 0 and less than \f$2\pi\f$. At an interior vertex, the result is at
  * least 0 and less than the sum of the angles around the vertex. At a border vertex, where a full turn does not exist,
- * the result is the difference of the angles of the two directions, and can be negative.
+ * the result is the angle of the second direction minus that of the first, both measured from one halfedge, and can be
+ * negative.
  *
  * \throws Invalid_location_error if `location` is not a point of the surface
  * \throws Degenerate_face_error if a face of the location has a degenerate edge or violates the triangle inequality
@@ -339,12 +342,13 @@ Located_curve<Triangulation> located_curve(const Triangulation& triangulation, c
 /*!
  * \ingroup PkgFlipGeodesicsTangents
  *
- * Samples a curve at equal arc lengths, with tangents and normals. The samples include the start and the end.
+ * Computes samples of a curve at equal distances along the curve, with tangents and normals. The samples include the
+ * start and the end.
  *
  * \param mesh a triangle mesh
  * \param curve a range of vertices or of `CGAL::Polygon_mesh_processing::Face_location`s. Any two consecutive elements
- *        must lie in a common face. For example, `geodesic_path()` and `trace_geodesic()` write such ranges, and the
- *        member `locations` of an `Isoline` is such a range
+ *        must lie in a common face. Such ranges are written, for example, by `geodesic_path()` and `trace_geodesic()`;
+ *        the member `locations` of an `Isoline` is one as well
  * \param number the number of samples, at least 2; on a closed curve, the first and the last sample lie at the same
  *        point
  * \param out an output iterator that receives `Curve_sample`s

@@ -166,8 +166,8 @@ public:
    * \throws Invalid_coordinate_error as `Geodesic_distance_field::compute()` does
    * \throws Invalid_mesh_error as `Geodesic_distance_field::compute()` does
    *
-   * Complexity: for each step that is tried, that of computing a `Geodesic_distance_field` from the current point up to
-   * the farthest of the given points.
+   * Complexity: for each step that is tried, the time of computing a `Geodesic_distance_field` from the current point up
+   * to the farthest of the given points.
    */
   template <class... NamedParameters>
   Mean_report operator()(Surface_location& start, const NamedParameters&... np) const
@@ -274,7 +274,7 @@ private:
  * \throws Invalid_coordinate_error as `Geodesic_distance_field::compute()` does
  * \throws Invalid_mesh_error as `Geodesic_distance_field::compute()` does
  *
- * Complexity: that of computing a `Geodesic_distance_field` up to the target.
+ * Complexity: the time of computing a `Geodesic_distance_field` up to the target.
  */
 template <class TriangleMesh, class Source, class Target, class... NamedParameters>
 auto geodesic_midpoint(const TriangleMesh& mesh, const Source& source, const Target& target,
@@ -334,8 +334,8 @@ struct Geodesic_mean_result
  * \throws Invalid_coordinate_error as `Geodesic_mean` does
  * \throws Invalid_mesh_error as `Geodesic_mean` does
  *
- * Complexity: for each step that is tried, that of computing a `Geodesic_distance_field` from the current point up to
- * the farthest of the given points.
+ * Complexity: for each step that is tried, the time of computing a `Geodesic_distance_field` from the current point up
+ * to the farthest of the given points.
  */
 template <class TriangleMesh, class PlaceRange, class WeightRange, class... NamedParameters,
           std::enable_if_t<!internal::is_named_parameters<WeightRange>, int> = 0>

@@ -176,7 +176,7 @@ Geodesic_result<OutputIterator> geodesic_path(const TriangleMesh& mesh, const So
  * \throws Invalid_coordinate_error as `geodesic_path()` does
  * \throws Invalid_mesh_error as `geodesic_path()` does
  *
- * Complexity: that of `geodesic_path()` without the search.
+ * Complexity: the time of `geodesic_path()` without that of the search.
  *
  * \sa `geodesic_network()`
  */
@@ -212,7 +212,7 @@ Geodesic_result<OutputIterator> geodesic_loop(const TriangleMesh& mesh, const Ve
  * \throws Invalid_coordinate_error as `geodesic_path()` does
  * \throws Invalid_mesh_error as `geodesic_path()` does
  *
- * Complexity: that of `geodesic_loop()`, including the flips for all curves.
+ * Complexity: the time of `geodesic_loop()`, including the flips for all curves.
  */
 template <class TriangleMesh, class CurveRange, class OutputIterator, class... NamedParameters>
 Geodesics_result<OutputIterator> geodesic_network(const TriangleMesh& mesh, const CurveRange& curves,

@@ -63,9 +63,8 @@ struct Default_shortening_visitor
 class Window_limit
 {
 public:
-  /// Sets the default limit, which is \f$10^6 + 500 n + 2 n^{3/2}\f$ for a mesh with \f$n\f$ vertices. This is several
-  /// times the number of windows that searches on meshes without needles require. On smooth meshes, computing the
-  /// distances from one vertex to all others requires up to about \f$0.7 n^{3/2}\f$ windows.
+  /// Sets the default limit, which is \f$10^6 + 500 n + 2 n^{3/2}\f$ for a mesh with \f$n\f$ vertices. On smooth
+  /// meshes, computing the distances from one vertex to all others requires up to about \f$0.7 n^{3/2}\f$ windows.
   Window_limit() = default;
 
   /// Sets the limit to a given number of windows. A search can exceed this number slightly before it is aborted.

@@ -146,12 +146,12 @@ private:
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Adds the edges between faces of different regions as a network: the boundaries of a segmentation
+ * Adds curves along the edges between faces of different regions, that is, along the boundaries of a segmentation
  * \cgalCite{SC20,section 6.1}. The border of the mesh is not a boundary of a region, but the boundaries of regions can
  * end at the border.
  *
- * With fixed junctions, a curve ends at each vertex that is incident to exactly one or to more than two edges between
- * regions, as with `add_marked_edges()`. A curve without such a vertex is closed.
+ * With fixed junctions, curves end at the vertices that are incident to exactly one edge between regions or to more
+ * than two such edges, as with `add_marked_edges()`. A curve without such a vertex is closed.
  *
  * With free junctions, each edge between two regions carries two segments, one for each region. The segments of a
  * region have the region on their left; they form closed curves, and paths from border to border. When the network is
@@ -159,13 +159,13 @@ private:
  * regions that met at one vertex. The regions still do not overlap, and every curve keeps its isotopy class among the
  * others.
  *
- * If this function or `regions` throws an exception, the network remains empty.
+ * If an exception is thrown, the network remains empty.
  *
  * \param network an empty network in a triangulation whose edges are those of the input
  * \param mesh the mesh of the triangulation
  * \param regions a model of `ReadablePropertyMap` with the faces of the mesh as keys, and values that can be compared
  *        by `!=`
- * \param junctions whether junctions are fixed or free
+ * \param junctions the treatment of junctions
  * \return the number of curves added
  *
  * Complexity: linear in the size of the mesh.
@@ -205,12 +205,13 @@ Index add_region_boundaries(Network& network, const TriangleMesh& mesh, FaceRegi
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Adds the seams of a texture as a network. A seam is an edge whose two faces have different texture coordinates at one
+ * Adds curves along the seams of a texture. A seam is an edge whose two faces have different texture coordinates at one
  * or both ends of the edge.
  *
- * A curve ends at each vertex that is incident to exactly one or to more than two seams. Border edges are not seams.
+ * Curves end at the vertices that are incident to exactly one seam or to more than two seams. Border edges are not
+ * seams.
  *
- * If this function or `texture` throws an exception, the network remains empty.
+ * If an exception is thrown, the network remains empty.
  *
  * \param network an empty network in a triangulation whose edges are those of the input
  * \param mesh the mesh of the triangulation
@@ -296,21 +297,21 @@ std::vector<Surface_location> complete_polyline(Triangulation& triangulation, co
  * After a call of `Edge_path_network::free_nodes()`, the curve can be shortened.
  *
  * Which edges a segment crosses is decided exactly, from the weights of the points. Several polylines can be added one
- * after another. They can meet at vertices and overlap; `order_overlapping_curves()` detects whether they cross where
- * they meet or overlap. Segments that cross elsewhere cannot be edges of one triangulation and are rejected.
+ * after another. Polylines can meet at vertices and overlap; `order_overlapping_curves()` detects whether they cross
+ * there. Segments that cross elsewhere cannot be edges of one triangulation and are rejected.
  *
  * \param network the network
  * \param polyline a range of points of any type that `surface_location()` accepts. Any two consecutive points must lie
- *        in a common face or on a common edge of the input. A closed polyline must not repeat the first point. A point
- *        that equals the previous point is skipped
+ *        in a common face of the input. A closed polyline must not repeat the first point. A point that equals the
+ *        previous point is skipped
  * \param np the named parameter `is_closed`, a `bool`: whether the polyline is closed; `false` by default
  * \return the index of the curve
  * \pre in the input faces that contain the polyline, no edge of the triangulation crosses an input edge
  * \throws Invalid_curve_error if two consecutive points do not lie in a common face, or if the polyline has too few
  *         points
  * \throws Crossing_curves_error if a segment crosses another segment or a curve of the network between vertices;
- *         `elements()` returns the ends of the crossed edge. In this case no curve is added, but points of the polyline
- *         may have become vertices
+ *         `elements()` returns the ends of the crossed edge. In this case, no curve is added, but points of the
+ *         polyline may have become vertices
  * \throws Invalid_location_error if a location is not a point of the surface
  * \throws Insertion_error as `Edge_path_network::insert()` does
  * \throws Occupied_triangulation_error as `Edge_path_network::insert()` does
@@ -331,8 +332,9 @@ Curve_index draw_polyline(Network& network, const PointRange& polyline, const Na
  * \ingroup PkgFlipGeodesicsBuilders
  *
  * Snaps a polyline to a path of input edges, and returns the vertices of the path. Each point on an edge is moved to
- * the nearer end of the edge. Each end of an open polyline is moved to the vertex for which its weight is largest.
- * Apart from these moves of the ends, the path is in the isotopy class of the polyline. No vertex is added.
+ * the nearer end of the edge, and each end of an open polyline to the vertex with the largest weight. Other points
+ * inside faces are ignored. Apart from the moves of the ends, the path is in the isotopy class of the polyline. No
+ * vertex is added.
  *
  * \param triangulation the triangulation
  * \param polyline a range of points, as for `draw_polyline()`

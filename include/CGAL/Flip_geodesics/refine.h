@@ -150,13 +150,8 @@ Refinement_report refine(Triangulation& triangulation, const OnSplit& on_split, 
  *
  * Bad faces are skipped in two cases. A face is *refused* if the precision is too low to represent the point at which a
  * vertex must be inserted. Faces are *given up* if `Refinement_options::maximum_insertions` is far too small, as on a
- * tube whose length is a million times its thickness. The second case is detected early by an estimate: a face of area
- * \f$A\f$ with shortest side \f$s\f$ requires about \f$A/s^2\f$ vertices if its neighbors are equally thin, and far
- * fewer otherwise. Faces are processed in generations, each of which consists of the faces that are bad at its
- * beginning. If the sum of the estimates is more than 16 times the number of vertices that may still be inserted, and
- * falls by less than 10 % in each of two consecutive generations, the faces with the largest estimates are given up,
- * together with all bad faces whose shortest side is at most as long as that of one of these faces. The other faces are
- * improved until the sum stagnates again.
+ * tube whose length is a million times its thickness. An estimate of the required number of vertices detects this case
+ * early. The faces that would require the most vertices are then given up, and the other faces are improved.
  *
  * Faces with edges that are too long are never given up. Such edges are divided, the longest first, until none of them
  * remains or the limit on insertions is reached. Because the longest edges are divided first, the vertices are
@@ -164,8 +159,8 @@ Refinement_report refine(Triangulation& triangulation, const OnSplit& on_split, 
  * edges requires about \f$A/L^2\f$ vertices on a surface of area \f$A\f$.
  *
  * Two kinds of faces are *exempt* from the bound on angles. In a face of the first kind, no insertion could enlarge the
- * smallest angle, because it lies between two constrained edges that meet at an angle of less than 60 degrees, or at a
- * vertex whose angles sum to less than 60 degrees. In a face of the second kind, the shortest side connects two
+ * smallest angle, because this angle lies between two constrained edges that meet at an angle of less than 60 degrees,
+ * or at a vertex whose angles sum to less than 60 degrees. In a face of the second kind, the shortest side connects two
  * constrained edges that meet at an angle of less than 60 degrees, and the ends of this side are equally far from the
  * common vertex of the two edges. An insertion at this side would cause another insertion closer to the common vertex,
  * and so on without end \cgalCite{S02}.

@@ -16,10 +16,9 @@ namespace CGAL::Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsProving
  *
- * States how certain the claim of a function is. A function for geodesics claims that a curve is locally shortest. A
- * function for shortest paths claims that no other path between the two ends is shorter. A function for homotopy
- * classes claims that no other path of the class is shorter. A function for distances claims that no path is shorter
- * than the distance. The section \ref Flip_geodesicsAssumptions lists the assumptions of these claims.
+ * States how certain the claim is that a function makes about its result, for example that a curve is locally shortest.
+ * Section \ref Flip_geodesicsVerdicts lists the claims of the functions, and Section \ref Flip_geodesicsAssumptions the
+ * assumptions under which verdicts hold.
  */
 enum class Verdict {
   PROVEN, ///< the claim holds exactly
@@ -87,17 +86,17 @@ struct Decision_statistics
 {
   std::size_t by_memory = 0;      ///< by the cached result for an angle between the same two edges; such failures are
                                   ///< not counted in the other members
-  std::size_t by_strip = 0;       ///< by vectors of doubles, or in double-double arithmetic, with an error bound
-  std::size_t by_plane = 0;       ///< by predicates of points, if faces are coplanar or bend only along parallel edges
+  std::size_t by_strip = 0;       ///< by unfolded strips in double, or vectors in double-double arithmetic
+  std::size_t by_plane = 0;       ///< by predicates on points, if faces are coplanar or bend only along parallel edges
   std::size_t by_precision = 0;   ///< in multiprecision arithmetic with 50 digits and an error bound
   std::size_t by_roots = 0;       ///< by exact arithmetic with the square roots of the faces' squared areas
-  std::size_t zeros_by_plane = 0; ///< the number of angles counted in `by_plane` that were exactly straight
-  std::size_t zeros_by_roots = 0; ///< the number of angles counted in `by_roots` that were exactly straight
-  /// The number of angles assumed to be exactly straight without proof, because 50 digits did not suffice and the work
+  std::size_t zeros_by_plane = 0; ///< the number of signs counted in `by_plane` that were zero
+  std::size_t zeros_by_roots = 0; ///< the number of signs counted in `by_roots` that were zero
+  /// The number of signs that were assumed to be zero without proof, because 50 digits did not suffice and the work
   /// limit was reached; see `Certified_intrinsic_triangulation_traits::sign_work_limit()`.
   std::size_t unproven_zeros = 0;
-  /// The largest number of square roots in a single predicate that was evaluated by exact arithmetic. Roots that are
-  /// rational multiples of one another count once.
+  /// The largest number of square roots in a single sign computed by exact arithmetic. Roots that are rational
+  /// multiples of one another count once.
   std::size_t most_roots = 0;
 
   /// Adds the counts of other statistics, and keeps the larger value of `most_roots`.
@@ -119,10 +118,10 @@ struct Decision_statistics
 /// \ingroup PkgFlipGeodesicsShortening
 /// States how the shortening of a curve ended.
 enum class Shortening_status {
-  LOCALLY_SHORTEST,   ///< no unblocked side of a joint has an angle below \f$\pi\f$
+  LOCALLY_SHORTEST,   ///< the curve is locally shortest; for the tolerance, see \ref Flip_geodesicsStatus
   CONTRACTED,         ///< the curve has contracted to a point
   LENGTH_LIMIT,       ///< a further step would have made the curve, or the network, shorter than allowed
-  ANGLE_LIMIT,        ///< all angles that can be widened have reached the limit
+  ANGLE_LIMIT,        ///< each angle that a step could widen has reached the limit
   ITERATION_LIMIT,    ///< the allowed number of steps, or the allowed time, has been used up
   MEMORY_LIMIT,       ///< a further step would have made the records of flips larger than allowed
   STOPPED_BY_VISITOR, ///< `go_further()` of the visitor returned `false`
@@ -156,9 +155,8 @@ struct Curve_report
   /// `CGAL::Tag_true`; call `certify()` to obtain a verdict. It is also `UNDECIDED` if coordinates or lengths of the
   /// mesh had to be rounded.
   Verdict verdict = Verdict::UNDECIDED;
-  /// Whether degenerate edges were contracted. The reason for a contraction is that the computation encountered a
-  /// degenerate edge, or two degenerate faces whose vertices opposite to their common edge coincide. Only the free
-  /// functions set this member.
+  /// Whether degenerate edges were contracted, because the computation encountered a degenerate edge, or two degenerate
+  /// faces whose vertices opposite to their common edge coincide. Only the free functions set this member.
   bool are_zero_edges_contracted = false;
   /// The distance of each given point from the surface, measured in space; 0 for points given as vertices or locations.
   /// Only functions that accept points set this member. It is empty if all points are given as vertices.
@@ -173,9 +171,8 @@ struct Shortening_report
   /// The number of edge flips, including those of steps that were rolled back and those by which a straightened path
   /// was inserted.
   std::size_t flips = 0;
-  /// The number of steps \cgalCite{SC20,Algorithm 1}; a compound step for a loop of one segment counts as one. The free
-  /// functions straighten a path before the first step, unless a stop predicate or a visitor is given. The number is 0
-  /// if the straightened path is a geodesic.
+  /// The number of steps \cgalCite{SC20,Algorithm 1}; a compound step for a loop of one segment counts as one. The
+  /// initial straightening of a path is not counted, so the number is 0 if the straightened path is already a geodesic.
   std::size_t flip_outs = 0;
 
   /// Returns whether every curve of the network is locally shortest or has contracted to a point.
@@ -238,8 +235,8 @@ struct Geodesics_result
   Shortening_report report; ///< the report, with one entry per curve
 
   double length() const { return report.length(); }            ///< returns the total length of the curves
-  Shortening_status status() const { return report.status(); } ///< returns the combined status of all curves
-  Verdict verdict() const { return report.verdict(); }         ///< returns the combined verdict on all curves
+  Shortening_status status() const { return report.status(); } ///< returns `Shortening_report::status()`
+  Verdict verdict() const { return report.verdict(); }         ///< returns `Shortening_report::verdict()`
 
   std::size_t number_of_curves() const { return report.curves.size(); } ///< returns the number of curves
   /// Returns the length of curve `i`.

@@ -24,13 +24,12 @@ namespace CGAL::Flip_geodesics {
  *
  * Shortens the curves of a network as `shorten()` does, but in any number of runs.
  *
- * A shortener keeps the state of the joints between runs, so the time of a run depends on its steps and not on the size
- * of the network. Several runs are useful for animations, time budgets, and limits that are raised gradually. A single
- * run is equivalent to a call of `shorten()` with the same stop predicate and visitor: the results are bitwise
- * identical.
+ * Several runs are useful for animations, time budgets, and limits that are relaxed gradually. A shortener keeps the
+ * state of the joints between runs, so a later run does not inspect all joints again. A single run is equivalent to a
+ * call of `shorten()` with the same stop predicate and visitor: the results are bitwise identical.
  *
- * While a shortener is in use, nothing else may change its network or the triangulation. A shortener that has thrown an
- * exception must not be used any longer; construct a new one instead.
+ * While a shortener is in use, do not change its network or the triangulation by other means. A shortener that has
+ * thrown an exception must not be used any longer; construct a new one instead.
  *
  * \tparam Network_ a model of `EdgePathGraph`
  */
@@ -73,9 +72,9 @@ public:
    * \throws Invalid_coordinate_error as `shorten()` does
    *
    * Complexity: typically linear in the number of flips. With traits whose `Has_drift` is `CGAL::Tag_true`, the curves
-   * are also measured when no step remains. If a measurement finds a bend, the faces at the bend are recomputed, and
-   * the curves are shortened further and measured again. This is repeated at most 50 times. Each measurement takes the
-   * same time as a call of `report()`.
+   * are also measured when no step remains, each time in the time of a call of `report()`. If a measurement finds a
+   * bend, the faces at the bend are recomputed, and the curves are shortened further and measured again, at most 50
+   * times.
    */
   template <class StopPredicate = Never_stop_predicate, class Visitor = Default_shortening_visitor>
   bool run(const StopPredicate& stop = StopPredicate(), Visitor&& visitor = Visitor())
@@ -97,7 +96,8 @@ public:
     return m_is_finished;
   }
 
-  /// Returns whether a run has ended because no step remained, not even a step that was rejected.
+  /// Returns whether a run has ended because no step remained. Steps that a stop predicate has rejected count as
+  /// remaining.
   bool is_finished() const { return m_is_finished; }
 
   /// Returns the number of steps taken so far in all runs \cgalCite{SC20,Algorithm 1}.
@@ -105,8 +105,8 @@ public:
   /// Returns the number of flips so far in all runs, including the flips of steps that were rolled back.
   std::size_t number_of_flips() const { return m_state.flips; }
 
-  /// Returns the length of the network in constant time. The length is updated with each step and not recomputed, so it
-  /// accumulates the rounding errors of all steps.
+  /// Returns the length of the network in constant time. Since the length is updated with each step, it accumulates the
+  /// rounding errors of all steps.
   double length() const { return m_state.length; }
   /// Returns the length of a curve in constant time. Like the length of the network, it is updated with each step.
   double length(Curve_index curve) const { return m_state.curves[curve].length; }
@@ -115,7 +115,8 @@ public:
   /// `IntrinsicTriangulationOfMesh`, the straightness of the curves is computed from the input. If, in addition, the
   /// predicates of the traits are exact and the input is not rounded, the curves are certified.
   ///
-  /// Complexity: linear in the number of segments plus the number of input edges that the curves cross.
+  /// Complexity: linear in the number of segments plus the number of input edges that the curves cross plus the sum of
+  /// the degrees of the vertices through which the curves pass, if the floating-point filter suffices.
   Shortening_report report() const
   {
     Verdicts verdicts(static_cast<std::size_t>(m_network.number_of_curves()), Verdict::UNDECIDED);

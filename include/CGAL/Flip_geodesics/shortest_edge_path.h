@@ -33,11 +33,10 @@ namespace Flip_geodesics {
  * Stores the distances of all vertices from landmarks, to guide searches for edge paths. Landmarks are vertices far
  * from one another, up to 16 in each component of the mesh.
  *
- * Landmarks are computed once for many searches on one mesh, and lead these searches around bumps and holes. By the
- * triangle inequality, the difference of the distances of two vertices from a landmark is a lower bound on the distance
- * between the two vertices \cgalCite{GH05}. On most meshes, this bound is larger than the distance of the vertices in
- * space, and it also exists for metrics without points. The class `Geodesic_landmarks` provides bounds on distances on
- * the surface instead of distances along edges.
+ * Landmarks can be computed once and used for many searches on one mesh. By the triangle inequality, the difference of
+ * the distances of two vertices from a landmark is a lower bound on the distance between the two vertices
+ * \cgalCite{GH05}. Unlike the distance in space, this bound also exists for metrics without points. The class
+ * `Geodesic_landmarks` provides bounds on distances on the surface instead of distances along edges.
  *
  * The distances take 32 bytes per vertex, and can be read by several threads concurrently.
  */
@@ -78,9 +77,8 @@ public:
    * Returns a lower bound on the distance between two vertices.
    *
    * If the distances from landmarks are lengths of edge paths, no edge path between the vertices is shorter than the
-   * bound. To ensure this, values and differences are rounded down, and rounding errors are subtracted. If the
-   * distances were computed by `Search_method::LOOK_BACK`, the bound is an estimate, since these distances need not
-   * satisfy the triangle inequality.
+   * bound, even with rounding errors. If the distances were computed by `Search_method::LOOK_BACK`, the bound is an
+   * estimate, since these distances need not satisfy the triangle inequality.
    *
    * The result is meaningless for vertices of different components.
    */
@@ -109,22 +107,19 @@ private:
 /// \ingroup PkgFlipGeodesicsBuilders
 /// Specifies the method of a search for an edge path.
 enum class Search_method {
-  /// an any-angle search \cgalCite{NKT10} for a path that will be shortened. The path is close to a shortest path on
-  /// the surface, but need not be shortest along edges.
+  /// an any-angle search \cgalCite{NKT10} for a path that will be shortened. The path is usually close to a shortest
+  /// path on the surface, but need not be shortest along edges.
   ///
-  /// The distance of a vertex is the smallest of three sums. The first is the distance of the preceding vertex of the
-  /// path plus the length of the edge between the two vertices. The other sums are the distances of the two vertices
-  /// before the preceding one, each plus the length of a straight line to the vertex. The length of such a line is
-  /// taken to be at least two thirds of the length of the path between its ends.
+  /// The search measures lengths along edges, except that the last two or three edges of a path are replaced by a
+  /// straight line in space if this line is shorter. The length of such a line is taken to be at least two thirds of
+  /// the length of the replaced edges.
   ///
-  /// Paths that zigzag along a straight line thus count as nearly straight, whereas shortest edge paths are diverted
-  /// along the directions of edges. On smooth meshes, `shorten()` flips several times as many edges after a search for
-  /// a shortest edge path as after this search.
+  /// Paths that zigzag along a straight line thus count as nearly straight. On smooth meshes, `shorten()` flips several
+  /// times as many edges after a search for a shortest edge path as after this search.
   ///
   /// The lower bound on the remaining distance is multiplied by 1.1 (weighted A*), so that paths of nearly equal length
-  /// need not be compared. A vertex keeps its position in the queue if a path found later is only marginally shorter.
-  /// The search usually visits at most a third as many vertices as `A_STAR`. If the metric has no lower bound and no
-  /// landmarks are given, the method is equivalent to `DIJKSTRA`.
+  /// need not be compared. The search usually visits at most a third as many vertices as `A_STAR`. If the metric has no
+  /// lower bound and no landmarks are given, the method is equivalent to `DIJKSTRA`.
   LOOK_BACK,
   /// a search for a shortest edge path, guided towards the target by the lower bound of the metric; equivalent to
   /// `DIJKSTRA` if this bound is zero
@@ -156,9 +151,8 @@ namespace Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Searches for paths along the edges of the input mesh. Such paths are the usual initial curves of `shorten()`. They
- * are shortest edge paths or, with `Search_method::LOOK_BACK`, close to geodesics, so that shortening requires few
- * flips. A search reads only the input, and does not change the triangulation.
+ * Searches for paths along the edges of the input mesh. Such paths are the usual initial curves of `shorten()`. A
+ * search reads only the input, and does not change the triangulation.
  *
  * A search takes \cgalBigO{k \log k} time, where \f$k\f$ is the number of vertices that it visits. If several paths
  * have equal length, the search always finds the same one.

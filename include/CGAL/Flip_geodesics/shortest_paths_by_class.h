@@ -52,10 +52,10 @@ struct Path_class
   /// The halfedge type of the mesh.
   using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
 
-  /// A shortest edge path of the class within the constructed part of the universal cover. For the `number` classes
-  /// with the shortest edge paths, this path is shortest in the entire cover. For other classes, a shorter edge path
-  /// can exist outside the constructed part. If an end is not a vertex, the part of the path inside the face or edge of
-  /// this end is not included.
+  /// A shortest edge path of the class within the constructed part of the universal cover; a shorter one can exist
+  /// outside this part. For the requested number of classes with the shortest edge paths, however, the path is shortest
+  /// in the entire cover. If an end is not a vertex, the part of the path inside the face or edge of this end is not
+  /// included.
   std::vector<halfedge_descriptor> edge_path;
   double edge_length = 0; ///< the length of `edge_path`
   /// The length of the shortest path found in the class. It is infinite if no path was computed, usually because the
@@ -72,7 +72,8 @@ struct Paths_by_class_report
   std::vector<Shortest_path_report> paths;        ///< the reports on the paths, sorted by length; each states whether
                                                   ///< its path is confirmed to be shortest in its class
   std::vector<Path_class<TriangleMesh>> classes;  ///< the classes of the paths, in the same order
-  std::vector<Path_class<TriangleMesh>> left_out; ///< further classes that were found, those of shorter paths first
+  std::vector<Path_class<TriangleMesh>> left_out; ///< further classes that were found, sorted by the smaller of
+                                                  ///< `length` and `lower_bound`
   /// A lower bound on the lengths of paths in classes that were not found; infinite if all classes were found.
   double lower_bound = 0;
   Class_search_status status = Class_search_status::FOUND; ///< how the search ended
@@ -90,10 +91,11 @@ struct Paths_by_class_report
     return least;
   }
 
-  /// Returns the verdict on the claim that `paths` are the shortest paths of all classes. The claim is confirmed if
-  /// each path is confirmed to be shortest in its class, and no other class has a shorter path, up to
-  /// `Shortest_path_report::tolerance()`. The verdict refers to the returned paths, even if fewer were found than
-  /// requested. If no path was returned, the claim is not confirmed.
+  /// Returns the verdict on the claim that each of `paths` is shortest in its class and that no other class contains a
+  /// shorter path than one of them. The claim is confirmed if each path is confirmed to be shortest in its class, and
+  /// `lower_bound_of_others()` is at least the length of each path, up to `Shortest_path_report::tolerance()`. The
+  /// verdict refers to the returned paths, even if fewer were found than requested. If no path was returned, the claim
+  /// is not confirmed.
   ///
   /// With a larger `Covering_limit`, a further path may be found but not confirmed. A larger limit can therefore lead
   /// to a weaker verdict, although the paths confirmed with the smaller limit remain the shortest ones.
@@ -106,7 +108,7 @@ struct Paths_by_class_report
     return paths.empty() ? Verdict::UNDECIDED : Verdict::WITHIN_TOLERANCE;
   }
 
-  /// Returns whether `paths` are confirmed to be the shortest paths of all classes.
+  /// Returns whether the verdict is a confirmation.
   bool is_confirmed() const { return Flip_geodesics::is_confirmed(verdict()); }
 };
 
@@ -123,7 +125,7 @@ struct Paths_by_class_result
   double length(std::size_t i) const { return report.paths.at(i).length; }
   /// Returns the status of path `i`.
   Shortening_status status(std::size_t i) const { return report.paths.at(i).status(); }
-  /// Returns the verdict of path `i`.
+  /// Returns the verdict on path `i`.
   Verdict verdict(std::size_t i) const { return report.paths.at(i).verdict; }
   Class_search_status status() const { return report.status; } ///< returns how the search ended
   Verdict verdict() const { return report.verdict(); }         ///< returns the verdict on all paths together
@@ -351,7 +353,7 @@ Paths_of_classes<TriangleMesh, Form> paths_by_class_between(Triangulation& trian
  *
  * Computes the shortest homotopically distinct paths on the surface between two points: a shortest path in each of
  * `number` homotopy classes. The classes with the shortest paths are chosen. Any two of the paths together form a
- * closed curve that leads around handles or borders of the surface.
+ * closed curve that cannot be contracted to a point.
  *
  * On a sphere or a disk, only one class exists. Obstacles create further classes: the mesh can be a
  * `CGAL::Face_filtered_graph` without the faces that paths must not enter. The function contracts degenerate edges if
@@ -398,8 +400,8 @@ Paths_of_classes<TriangleMesh, Form> paths_by_class_between(Triangulation& trian
  * Complexity: \cgalBigO{m \log m} time, where \f$m\f$ is the number of vertices of the cover that are visited, plus the
  * time of `shortest_path()` for each path. A vertex is visited if an edge path that leads through it can be at most as
  * long as the edge paths of the first `number` classes. It is also visited if a path of another class that leads
- * through it can be at most as long as the last result. The cover is constructed in stages. Each stage enlarges the
- * constructed part by at least half. If the limit is reached, the time is therefore roughly proportional to the limit.
+ * through it can be at most as long as the last result. If the limit is reached, the time is roughly proportional to
+ * the limit.
  *
  * The function searches for shortest edge paths in the universal cover of the surface, in which each class of paths has
  * its own end point. A part of the cover is constructed. In this part, a shortest path to each of these end points is

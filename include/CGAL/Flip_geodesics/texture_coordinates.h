@@ -194,10 +194,10 @@ Value picture_place(double x, double y)
  * \throws Invalid_coordinate_error as `Geodesic_distance_field::compute()` does
  * \throws Invalid_mesh_error as `Geodesic_distance_field::compute()` does
  *
- * Complexity: that of computing a `Geodesic_distance_field` up to a radius. This radius is the distance from the center
- * of the image to its corners plus the length of the longest edge of the mesh. In addition, at most as many windows as
- * in this field are created. If rounding errors prevent the windows from determining the shortest path to a point, the
- * logarithmic map is evaluated separately for this point.
+ * Complexity: the time of computing a `Geodesic_distance_field` up to a radius. The radius is the distance from the
+ * center of the image to its corners plus the length of the longest edge of the mesh. In addition, at most as many
+ * windows as in this field are created. If rounding errors prevent the windows from determining the shortest path to a
+ * point, the logarithmic map is evaluated separately for this point.
  */
 template <class TriangleMesh, class Source, class CornerMap, class... NamedParameters>
 Texture_report texture_coordinates(

@@ -45,7 +45,7 @@ enum class Trace_status {
   VERTEX,           ///< the geodesic reaches a vertex exactly and is required to stop there
   BORDER,           ///< the geodesic meets the border, or would leave the surface at its start
   CONSTRAINED_EDGE, ///< the geodesic meets an edge that must not be crossed, or a vertex of such an edge
-  CROSSING_LIMIT    ///< the geodesic has passed the maximal number of edges and vertices
+  CROSSING_LIMIT    ///< the geodesic has passed through the maximal number of edges and vertices
 };
 
 /// Returns the name of a status, spelled like the enumerator.
@@ -331,8 +331,9 @@ Trace_report traced_geodesic(const Triangulation& triangulation, const Exact_inp
  * map. Such geodesics are straight across faces and edges, and have equal angles on both sides at each vertex through
  * which they pass. The corresponding free function is `trace_geodesic()`.
  *
- * Which edges are crossed, and whether a vertex is reached, is decided exactly. Each decision is the sign of a real
- * number that is defined by the weights of the start, the direction, and the input coordinates or lengths.
+ * Which edges are crossed, and whether a vertex is reached, is decided exactly, up to the work limit of the traits:
+ * each decision is the sign of a real number that is defined by the weights of the start, the direction, and the input
+ * coordinates or lengths.
  *
  * A direction given as an angle is rounded once, to a vector in the face. At a vertex whose angles sum to exactly
  * \f$2\pi\f$, the geodesic continues as in a plane, without rounding. Examples are vertices inside planar regions and
@@ -345,8 +346,7 @@ template <class Triangulation>
 class Geodesic_tracer
 {
 public:
-  /// Constructs a tracer for a triangulation, which must outlive the tracer. The tracer caches the quantities that it
-  /// computes for faces.
+  /// Constructs a tracer for a triangulation, which must outlive the tracer.
   explicit Geodesic_tracer(const Triangulation& triangulation)
     : m_triangulation(triangulation)
     , m_exact_faces(triangulation)
@@ -357,7 +357,7 @@ public:
    * Traces a geodesic from a point in a given direction.
    *
    * \param source the start, a point of any type that `surface_location()` accepts. A `Face_location` is not moved to a
-   *        nearby edge or vertex. Tracing can therefore continue from the end of any geodesic
+   *        nearby edge or vertex, so tracing can continue from the end of any geodesic
    * \param direction a `Surface_direction`. If the start is a vertex, a full turn is the sum of the angles around the
    *        vertex. If the start is a `Surface_location`, the direction can also be a `std::array<double, 2>`, which
    *        represents a vector in the face of the halfedge of the location. The two entries are the coefficients of the
@@ -379,7 +379,8 @@ public:
    * \throws Invalid_coordinate_error if a coordinate is not finite
    * \throws Invalid_mesh_error if a face is not a triangle
    *
-   * Complexity: linear in the number of crossed edges if the floating-point filter suffices.
+   * Complexity: linear in the number of crossed edges plus the sum of the degrees of the vertices through which the
+   * geodesic passes, if the floating-point filter suffices.
    */
   template <class Source = Surface_location, class Direction = Surface_direction, class OutputIterator,
             class... NamedParameters>
@@ -518,17 +519,18 @@ private:
  *
  * The geodesic is straight across faces and edges. At a vertex, the geodesic continues with the same angle on its left
  * as on its right, or ends, according to the named parameter `at_vertices`. Which edges are crossed, and whether a
- * vertex is reached, is decided exactly. The direction is rounded in the first face. It is rounded again after each
- * vertex whose angles do not sum to exactly \f$2\pi\f$, and after each vertex of a degenerate face.
+ * vertex is reached, is decided exactly, up to the work limit of the traits. The direction is rounded in the first
+ * face. It is rounded again after each vertex whose angles do not sum to exactly \f$2\pi\f$, and after each vertex of a
+ * degenerate face.
  *
  * \param mesh a triangle mesh
  * \param source a vertex, a `CGAL::Polygon_mesh_processing::Face_location` or a point in space, as for
  *        `geodesic_path_through()`
  * \param direction a `std::pair` of a halfedge and an angle, or a vector in space. The angle is measured from the
  *        halfedge, in radians and counterclockwise on the surface. The halfedge must be a side of a face that contains
- *        the source. If the source is a vertex, a full turn is the sum of the angles around the vertex. A vector is
- *        projected to the plane of the face of the source, and can point out of this face. A vector is not accepted if
- *        the source is given as a vertex
+ *        the source or, if the source is a vertex, start at the source. At a vertex, a full turn is the sum of the
+ *        angles around the vertex. A vector is projected to the plane of the face of the source, and can point out of
+ *        this face. A vector is not accepted if the source is given as a vertex
  * \param length the maximal length, in the unit of the coordinates
  * \param out an output iterator that receives the points of the geodesic in order: its start, the crossed edges and
  *        vertices, and its end, in the form described at `geodesic_path()`
@@ -557,15 +559,16 @@ private:
  * \throws Vertex_out_of_range_error if the source is given as a vertex that does not belong to the mesh
  * \throws Invalid_location_error if the source does not lie on the mesh
  * \throws Invalid_parameter_error if the length or the direction is not finite; if the length or the number of
- *         iterations is negative; if the vector has no component in the plane of the face; or if the halfedge is not a
- *         side of a face that contains the source
+ *         iterations is negative; if the vector has no component in the plane of the face; or if the halfedge does not
+ *         satisfy its condition
  * \throws Degenerate_face_error if a face has a degenerate edge or violates the triangle inequality, or the direction
  *         at the start points into a degenerate face
  * \throws Invalid_coordinate_error if a coordinate or an edge length is not finite or out of range
  * \throws Invalid_mesh_error if a face is not a triangle
  *
- * Complexity: linear in the number of crossed edges if the floating-point filter suffices. A mesh other than a
- * `Surface_mesh` is indexed first, in \cgalBigO{n \log n} time for \f$n\f$ faces.
+ * Complexity: linear in the number of crossed edges plus the sum of the degrees of the vertices through which the
+ * geodesic passes, if the floating-point filter suffices. A mesh other than a `Surface_mesh` is indexed first, in
+ * \cgalBigO{n \log n} time for \f$n\f$ faces.
  *
  * \sa `Geodesic_tracer`, for many geodesics on one mesh
  */
