@@ -90,9 +90,9 @@ public:
   /*!
    * Returns the weak (integrated) Laplacian \f$L\f$, a symmetric, positive semi-definite \f$n \times n\f$ matrix. For a
    * piecewise linear function \f$u\f$, \f$u^T L u\f$ is the Dirichlet energy \f$\int |\nabla u|^2\f$. If a single edge
-   * connects the vertices \f$i\f$ and \f$j\f$, the entry \f$L_{ij}\f$ is the cotangent weight
-   * \f$-(\cot\alpha + \cot\beta)/2\f$, where \f$\alpha\f$ and \f$\beta\f$ are the angles opposite this edge. On the
-   * border, where only one face has the edge, the second term is missing.
+   * connects the vertices \f$i\f$ and \f$j\f$, the entry \f$L_{ij}\f$ is \f$-(\cot\alpha + \cot\beta)/2\f$, where
+   * \f$\alpha\f$ and \f$\beta\f$ are the angles opposite to this edge. For a border edge, there is only one such angle
+   * and one term.
    */
   Matrix weak_laplacian() const
   {

@@ -358,14 +358,13 @@ std::vector<Halfedge_index> shortest_loop(const Triangulation& triangulation, Ve
  *
  * Computes the shortest edge loop of a given kind on a surface.
  *
- * Such a loop passes through a vertex of every network that cuts the surface into disks. Searches therefore start only
- * from the vertices of a cut graph. The radius of each search is half the length of the shortest loop found so far. The
- * parameters and exceptions are those of `shortest_loop()` through a given vertex.
+ * The parameters and exceptions are those of `shortest_loop()` through a given vertex.
  *
  * \return the halfedges of the loop; empty if no such loop exists
  *
- * Complexity: \cgalBigO{n \log n + c m \log m} for a fixed genus and number of borders, where the cut graph has \f$c\f$
- * vertices and each search visits at most \f$m\f$ vertices.
+ * Complexity: \cgalBigO{n \log n + c m \log m} for a fixed genus and number of borders. Here, \f$c\f$ is the number of
+ * vertices of a cut graph, from each of which one search starts, and \f$m\f$ is the largest number of vertices that a
+ * search visits. The radius of a search is half the length of the shortest loop found before.
  */
 template <class Triangulation, class... NamedParameters>
 std::vector<Halfedge_index> shortest_loop(const Triangulation& triangulation,

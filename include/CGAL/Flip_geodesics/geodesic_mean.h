@@ -53,8 +53,7 @@ struct Mean_report
   Mean_status status = Mean_status::ITERATION_LIMIT; ///< why the search ended
   std::size_t iterations = 0;                        ///< the number of steps tried
   double variance = 0;                               ///< the weighted mean of the squared distances from the points
-  /// the length of the weighted mean of the vectors to the points; 0 at a mean that is neither a vertex nor on the
-  /// border
+  /// the length of the weighted mean of the vectors to the points, which is nearly 0 if the search has converged
   double residual = 0;
 };
 
@@ -77,11 +76,11 @@ struct Mean_limits
  * points has a local minimum.
  *
  * The logarithmic map provides the vectors from the current point to the given points. Each step follows a straightest
- * geodesic from the current point in the direction of the weighted mean of these vectors. The length of the step is
- * initially that of the mean vector, and is halved until the step decreases the sum of squared distances. In the plane,
- * one step suffices.
+ * geodesic from the current point in the direction of the weighted mean of these vectors, at most as far as this mean
+ * vector is long. A step that does not lead closer to a mean is tried again with half the length. In the plane, one
+ * step suffices.
  *
- * The mean is unique if the points are close together relative to the curvature. On a mesh of needles, the vectors may
+ * The mean is unique if the points are close together relative to the curvature. On a mesh of needles, the vectors can
  * be less precise than the tolerance requires. The status can then depend on the numbering of the vertices and faces.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; flips made in it do not affect the result
@@ -90,7 +89,7 @@ template <class Triangulation>
 class Geodesic_mean
 {
 public:
-  using Triangle_mesh = typename Triangulation::Triangle_mesh; ///< the mesh
+  using Triangle_mesh = typename Triangulation::Triangle_mesh; ///< the type of the mesh
 
   /*!
    * Locates the points; `operator()` computes the mean.
@@ -158,7 +157,7 @@ public:
    *
    * \return a report on the search
    * \throws Disconnected_endpoints_error if no path connects a point with positive weight and the start; `elements()`
-   *         returns the number of the point
+   *        returns the index of the point in the range
    * \throws Invalid_location_error if the start is not a point of the surface
    * \throws Invalid_parameter_error if the tolerance is negative or NaN
    * \throws Degenerate_face_error as `Geodesic_distance_field::compute()` does, or if the search reaches a vertex at
@@ -166,8 +165,8 @@ public:
    * \throws Invalid_coordinate_error as `Geodesic_distance_field::compute()` does
    * \throws Invalid_mesh_error as `Geodesic_distance_field::compute()` does
    *
-   * Complexity: for each step that is tried, the time of computing a `Geodesic_distance_field` from the current point up
-   * to the farthest of the given points.
+   * Complexity: for each step that is tried, the time of computing a `Geodesic_distance_field` from the current point
+   * up to the farthest of the given points.
    */
   template <class... NamedParameters>
   Mean_report operator()(Surface_location& start, const NamedParameters&... np) const

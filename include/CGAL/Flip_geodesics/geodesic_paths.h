@@ -258,7 +258,7 @@ void compute_paths(Parallel_tag, const Pairs& pairs, std::vector<typename Worksp
  *       worthwhile for thousands of pairs. With landmarks, a path can lie on another side of a hole or a bump than
  *       without landmarks, but the lengths of the two paths are similar. If the landmarks were computed for a mesh with
  *       a different number of vertices, the result of each pair contains an `Input_mismatch_error`. Landmarks have no
- *       effect on a path unless both ends are given as vertices}
+ *       effect unless `pairs` is a range of pairs of vertices}
  *     \cgalParamType{`Landmark_distances`}
  *     \cgalParamDefault{no landmarks}
  *   \cgalParamNEnd

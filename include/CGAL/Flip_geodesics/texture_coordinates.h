@@ -37,8 +37,7 @@ namespace CGAL::Flip_geodesics {
 struct Texture_report
 {
   std::size_t faces = 0; ///< the number of faces with coordinates
-  /// the number of these faces that are laid out separately, because the logarithmic map is discontinuous in them or
-  /// degenerates to a line
+  /// the number of these faces that are unfolded separately; see `texture_coordinates()`
   std::size_t torn = 0;
 };
 
@@ -171,9 +170,9 @@ Value picture_place(double x, double y)
  * discontinuous where shortest paths arrive from two sides, and degenerates to a line behind a vertex at which these
  * paths bend.
  *
- * Each face that contains such points is unfolded separately, along the shortest path from the source point to the
- * center of the face. The corners of this face can have coordinates that differ from those in adjacent faces. The
- * separate unfolding prevents faces from being stretched across the image or reversed.
+ * A face that the logarithmic map would therefore reverse, or one of whose sides it would make more than twice as long,
+ * is unfolded separately, along the shortest path from the source point to the center of the face. The coordinates of
+ * the corners of such a face can differ from those of the same vertices in adjacent faces.
  *
  * \param mesh a triangle mesh
  * \param source the source point: a vertex, a `CGAL::Polygon_mesh_processing::Face_location` or a point in space
@@ -196,8 +195,7 @@ Value picture_place(double x, double y)
  *
  * Complexity: the time of computing a `Geodesic_distance_field` up to a radius. The radius is the distance from the
  * center of the image to its corners plus the length of the longest edge of the mesh. In addition, at most as many
- * windows as in this field are created. If rounding errors prevent the windows from determining the shortest path to a
- * point, the logarithmic map is evaluated separately for this point.
+ * windows as in this field are created.
  */
 template <class TriangleMesh, class Source, class CornerMap, class... NamedParameters>
 Texture_report texture_coordinates(
