@@ -123,11 +123,11 @@ private:
  * cut have the same length. The sum of the angles at a border vertex, such as a cone point at which a cut ends, is not
  * prescribed.
  *
- * The values \f$u_i\f$ minimize a convex function, whose Hessian matrix is the cotangent Laplacian. The minimum is
- * found by Newton's method; usually, a few sparse factorizations suffice. Faces that violate the triangle inequality
- * during the iteration are treated as degenerate \cgalCite{SSP08}. If such a face remains at the minimum, the problem
- * has no solution for this triangulation, and an exception is thrown. In this case, `refine_and_flatten()` splits edges
- * of such faces in order to obtain a triangulation for which a solution exists.
+ * The values \f$u_i\f$ minimize a convex function, whose Hessian matrix is the cotangent Laplacian of the scaled faces.
+ * The minimum is found by Newton's method; usually, a few sparse factorizations suffice. Faces that violate the
+ * triangle inequality during the iteration are treated as degenerate \cgalCite{SSP08}. If such a face remains at the
+ * minimum, the problem has no solution for this triangulation, and an exception is thrown. In this case,
+ * `refine_and_flatten()` splits edges of such faces in order to obtain a triangulation for which a solution exists.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulation`
  */
@@ -720,8 +720,8 @@ bool move_to_near_vertices(Network& network)
  * longest sides of these faces are split near their midpoints.
  *
  * Before the surface is cut, each curve is moved onto all vertices whose distances from an edge of the curve are less
- * than about \f$10^{-7}\f$ times the length of this edge. If a curve is moved, the order of overlapping curves and the
- * fixed nodes are lost.
+ * than about \f$10^{-7}\f$ times the length of this edge. If a curve is moved, all curves lose their fixed nodes and
+ * the order of their overlapping segments.
  *
  * \param network an `Edge_path_network` of the curves along which the surface is cut, in an `Intrinsic_triangulation`
  *        of a connected surface. The triangulation must outlive the returned object

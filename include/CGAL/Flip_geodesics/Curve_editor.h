@@ -41,7 +41,6 @@ struct Move_report
  * Each *leg*, the geodesic from one point to the next, is shortened independently, as by `geodesics_through()`, so legs
  * can cross each other. When a point is moved, each leg at this point is deformed continuously: the new leg is obtained
  * by shortening the concatenation of the old leg and the path of the move. All other legs remain bitwise identical.
- * 
  *
  * The running time of a move depends only on the legs at the moved point and on the path of the move, not on previous
  * moves. A leg is unfolded along its edge sequence, shortened with a funnel algorithm, and certified as by `certify()`,
@@ -169,7 +168,7 @@ public:
    *
    * If an exception is thrown, the curve is unchanged.
    *
-   * \param i the number of the point
+   * \param i the index of the point
    * \param to the new position
    * \return a report on the recomputed legs
    * \pre `i < number_of_points()`
@@ -194,7 +193,7 @@ public:
 
   /*!
    * Moves a point along a given path, which determines the homotopy classes of the legs at this point.
-   * \param i the number of the point
+   * \param i the index of the point
    * \param way a range of points of any type that `surface_location()` accepts. The first point must be `point(i)`, and
    *        the last point is the new position. Any two consecutive points must lie in a common face
    * \return a report on the recomputed legs

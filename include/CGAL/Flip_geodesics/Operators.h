@@ -59,9 +59,11 @@ public:
   /*!
    * Reads all faces of a triangulation in \cgalBigO{n + m} time.
    * \throws Degenerate_face_error if the area of a face, rounded to double, is zero or so small that the cotangents are
-   *         not finite
+   *        not finite, or if a face that has not been accessed before has a degenerate edge or violates the triangle
+   *        inequality
    * \throws Invalid_mesh_error if a face that has not been accessed before is not a triangle
-   * \throws Invalid_coordinate_error if a face that has not been accessed before has coordinates that are not finite
+   * \throws Invalid_coordinate_error if a face that has not been accessed before has a coordinate or length that is not
+   *        finite or is out of range
    */
   explicit Operators(const Triangulation& triangulation)
     : m_number_of_vertices(static_cast<std::size_t>(triangulation.number_of_vertices()))

@@ -24,8 +24,8 @@ namespace CGAL::Flip_geodesics {
 struct Straightness
 {
   /// The largest bend of a segment, in radians; 0 if no segment is bent. The bend of a segment is the largest angle by
-  /// which an end of a crossed edge lies on the wrong side of the straight line between the ends of the segment. The
-  /// angle is measured at the nearer end of the segment, in the unfolded strip of input faces.
+  /// which a vertex of the unfolded strip of input faces lies on the wrong side of the straight line between the ends
+  /// of the segment, as seen from the end that is nearer to the vertex.
   double largest_bend = 0;
   /// The smallest angle, in radians, at an unblocked side of a joint, or infinity if no such side exists.
   double smallest_angle = std::numeric_limits<double>::infinity();
@@ -154,8 +154,8 @@ public:
   }
 
   /*!
-   * Recomputes, from the input, the faces in the wedge at a side of a joint, whose angles may have become inaccurate by
-   * rounding errors of flips.
+   * Recomputes, from the input, the faces in the wedge at a side of a joint. Rounding errors of flips can make the
+   * angles of these faces inaccurate.
    * \return whether all faces could be recomputed; if not, rounding errors have caused incorrect flips
    */
   bool refresh_wedge(const Joint& joint, Triangulation& triangulation)

@@ -26,7 +26,7 @@ namespace CGAL::Flip_geodesics {
 /// Specifies the treatment of junctions, the vertices at which more than two regions meet.
 enum class Junctions {
   FIXED, ///< junctions are fixed, and curves end at them
-  FREE   ///< junctions can move; every region has its own curves, next to those of its neighbors
+  FREE   ///< junctions can move; each region has its own curves, beside those of its neighbors
 };
 
 namespace internal {

@@ -44,8 +44,8 @@ class Landmark_distances
 {
 public:
   /*!
-   * Chooses the landmarks and computes the distances. Each landmark is the vertex of its component that is farthest
-   * from the previous landmarks.
+   * Chooses the landmarks and computes the distances. In each component, the first landmark is the vertex farthest from
+   * the first vertex of the component, and each further landmark is the vertex farthest from the previous ones.
    *
    * \param search a `Shortest_edge_path`, which computes the distances. With `Search_method::DIJKSTRA` or
    *        `Search_method::A_STAR`, these are the lengths of shortest edge paths. With `Search_method::LOOK_BACK`, they

@@ -53,9 +53,9 @@ struct Path_class
   using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
 
   /// A shortest edge path of the class within the constructed part of the universal cover; a shorter one can exist
-  /// outside this part. For the requested number of classes with the shortest edge paths, however, the path is shortest
-  /// in the entire cover. If an end is not a vertex, the part of the path inside the face or edge of this end is not
-  /// included.
+  /// outside this part. For the first classes in the order of `edge_length`, up to the requested number, the path is
+  /// shortest in the entire cover. If an end is not a vertex, the part of the path inside the face or edge of this end
+  /// is not included.
   std::vector<halfedge_descriptor> edge_path;
   double edge_length = 0; ///< the length of `edge_path`
   /// The length of the shortest path found in the class. It is infinite if no path was computed, usually because the
@@ -91,11 +91,11 @@ struct Paths_by_class_report
     return least;
   }
 
-  /// Returns the verdict on the claim that each of `paths` is shortest in its class and that no other class contains a
-  /// shorter path than one of them. The claim is confirmed if each path is confirmed to be shortest in its class, and
-  /// `lower_bound_of_others()` is at least the length of each path, up to `Shortest_path_report::tolerance()`. The
-  /// verdict refers to the returned paths, even if fewer were found than requested. If no path was returned, the claim
-  /// is not confirmed.
+  /// Returns the verdict on the claim that each of `paths` is shortest in its class, and that no path of any other
+  /// class is shorter than the last of `paths`. The claim is confirmed if each path is confirmed to be shortest in its
+  /// class, and `lower_bound_of_others()` is at least the length of the last path, up to
+  /// `Shortest_path_report::tolerance()`. The verdict refers to the returned paths, even if fewer were found than
+  /// requested. If no path was returned, the claim is not confirmed.
   ///
   /// With a larger `Covering_limit`, a further path may be found but not confirmed. A larger limit can therefore lead
   /// to a weaker verdict, although the paths confirmed with the smaller limit remain the shortest ones.
@@ -108,7 +108,7 @@ struct Paths_by_class_report
     return paths.empty() ? Verdict::UNDECIDED : Verdict::WITHIN_TOLERANCE;
   }
 
-  /// Returns whether the verdict is a confirmation.
+  /// Returns whether the claim of `verdict()` is confirmed.
   bool is_confirmed() const { return Flip_geodesics::is_confirmed(verdict()); }
 };
 
@@ -404,10 +404,10 @@ Paths_of_classes<TriangleMesh, Form> paths_by_class_between(Triangulation& trian
  * the limit.
  *
  * The function searches for shortest edge paths in the universal cover of the surface, in which each class of paths has
- * its own end point. A part of the cover is constructed. In this part, a shortest path to each of these end points is
- * computed as by `shortest_path()`. The lengths of paths that leave the part are bounded from below, and the part is
- * enlarged until these bounds exceed the lengths of the computed paths. If the search is aborted instead, the report is
- * not confirmed.
+ * its own end point. A part of the cover is constructed. In this part, shortest paths to these end points are computed
+ * as by `shortest_path()`. The lengths of paths that leave the part are bounded from below, and the part is enlarged
+ * until these bounds exceed the lengths of the computed paths. If the search is aborted instead, the report is not
+ * confirmed.
  *
  * \sa `shortest_path()`
  */

@@ -25,7 +25,8 @@ namespace CGAL::Flip_geodesics {
 /// Lists the decisions of a stop predicate about the next step.
 enum class Stop_decision {
   CONTINUE,           ///< take the step
-  CURVE_LENGTH_LIMIT, ///< reject the step and keep its curve unchanged, but continue with the other curves
+  CURVE_LENGTH_LIMIT, ///< reject the step and stop shortening its curve, with `Shortening_status::LENGTH_LIMIT`, but
+                      ///< continue with the other curves
   LENGTH_LIMIT,       ///< reject the step and end the shortening with `Shortening_status::LENGTH_LIMIT`
   ANGLE_LIMIT,        ///< reject the step and end the shortening with `Shortening_status::ANGLE_LIMIT`
   ITERATION_LIMIT,    ///< reject the step and end the shortening with `Shortening_status::ITERATION_LIMIT`

@@ -361,9 +361,9 @@ public:
    * \param direction a `Surface_direction`. If the start is a vertex, a full turn is the sum of the angles around the
    *        vertex. If the start is a `Surface_location`, the direction can also be a `std::array<double, 2>`, which
    *        represents a vector in the face of the halfedge of the location. The two entries are the coefficients of the
-   *        vectors from the tail of this halfedge to its head and to the third corner of the face. They are not
-   *        rounded, except if the start is a vertex and the vector points out of the face, or if one coefficient is
-   *        more than 1e100 times the other
+   *        vectors from the tail of this halfedge to its head and to the third corner of the face. The coefficients are
+   *        not rounded, except if the start is a vertex and the vector points out of the face, or if one coefficient is
+   *        more than about 1e100 times the other
    * \param length the maximal length, in the unit of the coordinates
    * \param out an output iterator that receives a `Surface_point` for the start, each crossed edge, each vertex, and
    *        the end; `CGAL::Emptyset_iterator()` if these points are not needed
@@ -372,11 +372,11 @@ public:
    * \return a report with the end of the geodesic
    * \throws Invalid_location_error if `source` is not a point of the surface
    * \throws Invalid_parameter_error if the angle is not finite; if its halfedge is not a side of a face that contains
-   *         the source and does not start at the source; if the length is negative or not finite; or if the number of
-   *         iterations is negative
+   *        the source and does not start at the source; if the two coefficients are zero or not finite, or belong to a
+   *        border halfedge; if the length is negative or not finite; or if the number of iterations is negative
    * \throws Degenerate_face_error if a face has a degenerate edge or violates the triangle inequality, or the direction
    *         lies in a degenerate face
-   * \throws Invalid_coordinate_error if a coordinate is not finite
+   * \throws Invalid_coordinate_error if a coordinate or an edge length is not finite or out of range
    * \throws Invalid_mesh_error if a face is not a triangle
    *
    * Complexity: linear in the number of crossed edges plus the sum of the degrees of the vertices through which the
