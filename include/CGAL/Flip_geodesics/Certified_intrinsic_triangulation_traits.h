@@ -30,7 +30,7 @@ namespace CGAL::Flip_geodesics {
  * in Section \ref Flip_geodesicsCertified. One of them is exact arithmetic with the square roots of the squared areas
  * of the faces.
  *
- * Since exact arithmetic with many independent roots can take a very long time, it is subject to a work limit; see
+ * Since this method can take a very long time if many roots are independent, it is subject to a work limit; see
  * `sign_work_limit()`. Unless this limit is reached, all signs are exact. A sign that cannot be determined within the
  * limit is assumed to be zero and counted in `Decision_statistics::unproven_zeros`. A certificate that depends on this
  * assumption has the verdict `PROBABLE` instead of `PROVEN`.
@@ -60,17 +60,17 @@ public:
   /// Constructs traits with the default work limit, which corresponds to about a tenth of a second per sign.
   Certified_intrinsic_triangulation_traits() = default;
 
-  /// Constructs traits with a given work limit; see `sign_work_limit()`. If the limit is 0, exact arithmetic with
-  /// square roots is not used.
+  /// Constructs traits with a given work limit; see `sign_work_limit()`. If the limit is 0, exact arithmetic with the
+  /// square roots of areas is not used.
   explicit Certified_intrinsic_triangulation_traits(std::uint64_t sign_work_limit)
     : m_sign_work_limit(sign_work_limit)
   {
   }
 
   /*!
-   * Returns the work limit for computing one sign by exact arithmetic with square roots. The unit of work is the
-   * multiplication of two 64-bit words. Each multiplication of integers counts as at least 32 units. The multiplication
-   * of two numbers with \f$r\f$ independent roots takes up to \f$4^r\f$ multiplications of integers.
+   * Returns the work limit for computing one sign by exact arithmetic with the square roots of areas. The unit of work
+   * is the multiplication of two 64-bit words. Each multiplication of integers counts as at least 32 units. The
+   * multiplication of two numbers with \f$r\f$ independent roots takes up to \f$4^r\f$ multiplications of integers.
    *
    * The other methods do not use this limit. One of them computes the sign of a sum of square roots, always with the
    * default work limit, if all edges across which the input faces are not coplanar are parallel.

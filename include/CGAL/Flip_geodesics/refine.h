@@ -54,10 +54,10 @@ struct Refinement_report
                                                                 ///< undone
   std::size_t refused = 0;        ///< the number of faces that were refused; see `refine()`
   double smallest_angle = 0;      ///< the smallest angle of all faces, in degrees
-  double smallest_free_angle = 0; ///< the smallest angle of the faces that are not exempt; see `refine()`
+  double smallest_free_angle = 0; ///< the smallest angle of the faces not counted in `exempt`, in degrees
   std::size_t exempt = 0;         ///< the number of exempt faces whose smallest angle is below the bound
   std::size_t missed = 0;         ///< the number of faces that violate a bound and are not exempt
-  std::size_t given_up = 0;       ///< the number of faces that were given up; see `refine()`
+  std::size_t given_up = 0;       ///< the number of faces counted in `missed` that were given up
   /// Returns whether the bounds have been reached.
   bool is_complete() const { return status == Refinement_status::BOUNDS_REACHED; }
 };
@@ -151,7 +151,8 @@ Refinement_report refine(Triangulation& triangulation, const OnSplit& on_split, 
  * Bad faces are skipped in two cases. A face is *refused* if the precision is too low to represent the point at which a
  * vertex must be inserted. Faces are *given up* if `Refinement_options::maximum_insertions` is far too small, as on a
  * tube whose length is a million times its thickness. An estimate of the required number of vertices detects this case
- * early. The faces that would require the most vertices are then given up, and the other faces are improved.
+ * early. The faces that would require the most vertices are then given up, as well as all bad faces with equally short
+ * or shorter sides. The other faces are improved.
  *
  * Faces with edges that are too long are never given up. Such edges are divided, the longest first, until none of them
  * remains or the limit on insertions is reached. Because the longest edges are divided first, the vertices are

@@ -118,7 +118,8 @@ struct Decision_statistics
 /// \ingroup PkgFlipGeodesicsShortening
 /// States how the shortening of a curve ended.
 enum class Shortening_status {
-  LOCALLY_SHORTEST,   ///< the curve is locally shortest; for the tolerance, see \ref Flip_geodesicsStatus
+  LOCALLY_SHORTEST,   ///< the curve is locally shortest; if predicates are inexact or coordinates were rounded, up to
+                      ///< `Straightness::tolerance()`
   CONTRACTED,         ///< the curve has contracted to a point
   LENGTH_LIMIT,       ///< a further step would have made the curve, or the network, shorter than allowed
   ANGLE_LIMIT,        ///< each angle that a step could widen has reached the limit

@@ -111,8 +111,8 @@ enum class Search_method {
   /// path on the surface, but need not be shortest along edges.
   ///
   /// The search measures lengths along edges, except that the last two or three edges of a path are replaced by a
-  /// straight line in space if this line is shorter. The length of such a line is taken to be at least two thirds of
-  /// the length of the replaced edges.
+  /// straight line if this line is shorter. The length of such a line is the lower bound of the metric on the distance
+  /// between its ends, but at least two thirds of the length of the replaced edges.
   ///
   /// Paths that zigzag along a straight line thus count as nearly straight. On smooth meshes, `shorten()` flips several
   /// times as many edges after a search for a shortest edge path as after this search.
