@@ -75,7 +75,8 @@ Delaunay_report flip_to_delaunay(Triangulation& triangulation, const EdgeRange& 
  * The number of flips depends on the shapes of faces: about one flip per edge is typical, but on a long thin twisted
  * cylinder, the number of flips per edge is proportional to the aspect ratio of the cylinder.
  *
- * \param triangulation a model of `IntrinsicTriangulation`
+ * \param triangulation a model of `IntrinsicTriangulation` and, if `Has_drift` of its traits is `CGAL::Tag_true`, of
+ *        `IntrinsicTriangulationOfMesh`
  * \param edges a range of edge indices
  * \param np an optional sequence of named parameters among those listed below
  *

@@ -49,9 +49,10 @@ using Mesh_vertex = typename boost::graph_traits<TriangleMesh>::vertex_descripto
  * `Verdict::PROVEN`, and the output consists of its two end points. The end points of a degenerate edge coincide in
  * this sense.
  *
- * If a function that computes locally shortest curves on a mesh encounters a degenerate edge, all degenerate edges are
- * contracted, and the curve is computed again. The result is then a geodesic of the contracted surface,
- * `Curve_report::are_zero_edges_contracted` is `true`, and a visitor observes the steps of both computations.
+ * If a function that computes locally shortest curves on a mesh encounters a degenerate edge, all degenerate edges and
+ * folded faces are contracted, and the curve is computed again; see \ref Flip_geodesicsDegenerate. The result is then a
+ * geodesic of the contracted surface, `Curve_report::are_zero_edges_contracted` is `true`, and a visitor observes the
+ * steps of both computations.
  *
  * Functions that compute locally shortest curves on a mesh write their output only when the result is complete, so
  * nothing is written if an exception is thrown.

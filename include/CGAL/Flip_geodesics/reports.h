@@ -156,8 +156,8 @@ struct Curve_report
   /// `CGAL::Tag_true`; call `certify()` to obtain a verdict. It is also `UNDECIDED` if coordinates or lengths of the
   /// mesh had to be rounded.
   Verdict verdict = Verdict::UNDECIDED;
-  /// Whether degenerate edges were contracted, because the computation encountered a degenerate edge, or two degenerate
-  /// faces whose vertices opposite to their common edge coincide. Only the free functions set this member.
+  /// Whether degenerate edges and folded faces were contracted; see \ref Flip_geodesicsDegenerate. Only the free
+  /// functions set this member.
   bool are_zero_edges_contracted = false;
   /// The distance of each given point from the surface, measured in space; 0 for points given as vertices or locations.
   /// Only functions that accept points set this member. It is empty if all points are given as vertices.

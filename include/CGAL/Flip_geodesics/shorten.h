@@ -31,7 +31,8 @@ namespace CGAL::Flip_geodesics {
  * While a shortener is in use, do not change its network or the triangulation by other means. A shortener that has
  * thrown an exception must not be used any longer; construct a new one instead.
  *
- * \tparam Network_ a model of `EdgePathGraph`
+ * \tparam Network_ a model of `EdgePathGraph`. If `Has_drift` of its traits is `CGAL::Tag_true`, its triangulation must
+ *         be a model of `IntrinsicTriangulationOfMesh`
  */
 template <class Network_>
 class Shortener
@@ -269,10 +270,10 @@ Shortening_report shorten(Network& network, const StopPredicate& stop, Visitor&&
  * If one of the exceptions listed below is thrown, the network and its triangulation remain valid, and no curve is
  * longer than before the call.
  *
- * \param network the network. Its curves are shortened, and the edges around them are flipped. Curves that share edges
- *        must first be ordered by `order_overlapping_curves()`. If curves cross before the call, they still cross after
- *        the call. No status indicates such crossings, but `Edge_path_network::is_valid()` returns `false` for a
- *        network with crossing curves
+ * \param network the network, of a type that `Shortener` accepts. Its curves are shortened, and the edges around them
+ *        are flipped. Curves that share edges must first be ordered by `order_overlapping_curves()`. If curves cross
+ *        before the call, they still cross after the call. No status indicates such crossings, but
+ *        `Edge_path_network::is_valid()` returns `false` for a network with crossing curves
  * \param np an optional sequence of named parameters, in any order, among those listed below
  *
  * \cgalNamedParamsBegin
