@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 #
-# For examples/run.sh and test/run.sh, which read this file with `source`.
+# Functions for examples/run.sh and test/run.sh, which read this file with `source`.
 
-# apt_get(arguments...): apt-get as root, without questions. While another package manager is at work it waits, up to ten
-# minutes: for the lock of dpkg by apt's own option, for those of lists and archives, which that does not cover, by trying
-# again.
+# apt_get(arguments...): runs apt-get as root, without questions. If another package manager is running, waits for up to
+# ten minutes: for the lock of dpkg by an option of apt, and for the locks of lists and archives by trying again.
 apt_get() {
   local attempt log
   log=$(mktemp)
@@ -26,7 +25,7 @@ apt_get() {
   return 1
 }
 
-# missing_packages(package...): prints those that are not installed, on one line.
+# missing_packages(package...): prints the packages that are not installed, on one line.
 missing_packages() {
   local package missing=()
   for package in "$@"; do
@@ -35,9 +34,10 @@ missing_packages() {
   echo "${missing[*]}"
 }
 
-# install_packages([--no-install] package...): installs the Debian packages that are missing, as root or by sudo, and
-# prints the command first. With --no-install it prints the command and continues with what is installed, as it does on a
-# system without Debian packages. Without the rights to install it prints the command and ends the script.
+# install_packages([--no-install] package...): prints the command that installs the missing Debian packages, and runs it
+# as root or by sudo. With --no-install, the command is only printed, and the script continues. On systems without Debian
+# packages, nothing is installed, and the script continues. If the user is not allowed to install packages, the command is
+# printed, and the script ends.
 install_packages() {
   local may_install=1 missing
   if [ "${1-}" = --no-install ]; then
@@ -60,7 +60,7 @@ install_packages() {
   local as_root=()
   if [ "$(id -u)" -ne 0 ]; then
     as_root=(sudo)
-    # Without a terminal sudo must not ask for a password.
+    # Without a terminal, sudo must not ask for a password.
     [ -t 0 ] || as_root=(sudo -n)
     if ! "${as_root[@]}" true 2> /dev/null; then
       echo "Packages are missing. Install them with this command and start again:" >&2

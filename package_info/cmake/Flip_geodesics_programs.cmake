@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 #
-# What the tests, examples and benchmarks share: the warnings, the optional libraries, one function per program.
+# Settings of the tests, examples and benchmarks: warnings, optional libraries, and the functions that add programs.
 
 find_package(Eigen3 QUIET)
 include(CGAL_Eigen3_support)
@@ -9,15 +9,15 @@ include(CGAL_TBB_support)
 find_package(CLI11 QUIET)
 find_package(benchmark QUIET)
 
-# Boost.MPI, with what it needs, for programs that run on many machines. Boost.MPI is looked for first: where MPI has its
-# compiler but not its headers, as on machines that only run such programs, looking for MPI is an error.
+# Boost.MPI and the libraries that it requires, for programs that run on several machines. Boost.MPI is searched for
+# first, because a search for MPI fails on machines that have the MPI compiler but not its headers.
 find_package(boost_mpi QUIET CONFIG)
 find_package(boost_serialization QUIET CONFIG)
 if(TARGET Boost::mpi)
   find_package(MPI QUIET COMPONENTS CXX)
 endif()
 if(CMAKE_CXX_FLAGS MATCHES "_GLIBCXX_DEBUG")
-  # Containers with checked iterators are not those that the library was compiled with.
+  # Containers with checked iterators are not compatible with the compiled library.
   message(STATUS "Flip_geodesics: Boost.MPI is NOT used with checked iterators")
 elseif(TARGET MPI::MPI_CXX AND TARGET Boost::mpi AND TARGET Boost::serialization)
   add_library(Flip_geodesics_MPI INTERFACE IMPORTED)
@@ -25,7 +25,7 @@ elseif(TARGET MPI::MPI_CXX AND TARGET Boost::mpi AND TARGET Boost::serialization
                                                       "Boost::mpi;Boost::serialization;MPI::MPI_CXX")
 endif()
 
-# By hand: the configuration file of some distributions' OpenMesh names files that they do not ship.
+# Not by find_package(): in some distributions, the configuration file of OpenMesh names files that do not exist.
 find_path(FLIP_GEODESICS_OPENMESH_INCLUDE_DIR OpenMesh/Core/Mesh/ArrayKernel.hh)
 find_library(FLIP_GEODESICS_OPENMESH_LIBRARY OpenMeshCore)
 mark_as_advanced(FLIP_GEODESICS_OPENMESH_INCLUDE_DIR FLIP_GEODESICS_OPENMESH_LIBRARY)
@@ -39,7 +39,7 @@ elseif(FLIP_GEODESICS_OPENMESH_INCLUDE_DIR AND FLIP_GEODESICS_OPENMESH_LIBRARY)
     PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${FLIP_GEODESICS_OPENMESH_INCLUDE_DIR}"
                INTERFACE_LINK_LIBRARIES "${FLIP_GEODESICS_OPENMESH_LIBRARY}"
                INTERFACE_COMPILE_DEFINITIONS "CGAL_USE_OPENMESH;NOMINMAX;_USE_MATH_DEFINES"
-               # OpenMesh has elements without initial values, which g++ reports where they are inlined.
+               # OpenMesh does not initialize some elements, which g++ reports where it inlines functions.
                INTERFACE_COMPILE_OPTIONS "$<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>")
 else()
   message(STATUS "Flip_geodesics: meshes of OpenMesh are NOT tested, because it was not found")
@@ -51,7 +51,8 @@ target_compile_options(
   INTERFACE $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-Wall;-Wextra;-Wpedantic>
             $<$<AND:$<BOOL:${FLIP_GEODESICS_WARNINGS_AS_ERRORS}>,$<CXX_COMPILER_ID:GNU,Clang,AppleClang>>:-Werror>)
 
-# Instead of CGAL::Flip_geodesics: a program does not compile if it includes GMP or MPFR, and is not linked to them.
+# A target that replaces CGAL::Flip_geodesics: programs are not linked to GMP and MPFR, and cannot include their
+# headers.
 add_library(Flip_geodesics_without_gmp INTERFACE)
 set(flip_geodesics_hidden_dir "${PROJECT_BINARY_DIR}/hidden")
 foreach(header gmp.h gmpxx.h mpfr.h)
@@ -64,10 +65,10 @@ target_include_directories(Flip_geodesics_without_gmp INTERFACE "${flip_geodesic
 target_include_directories(Flip_geodesics_without_gmp SYSTEM
                            INTERFACE $<TARGET_PROPERTY:CGAL::CGAL,INTERFACE_INCLUDE_DIRECTORIES>)
 
-# An optional library is linked to the programs whose source mentions it, so that nobody keeps lists and the other
-# programs do not pay for it. `flip_geodesics_optional_libraries` holds triples: pattern, target, and what happens
-# without it: GUARDED (the source has an #ifdef) or REQUIRED (the program is left out). TBB is required if an include of
-# one of its headers follows no #ifdef.
+# An optional library is linked only to the programs whose sources mention it. `flip_geodesics_optional_libraries`
+# contains triples: a pattern, a target, and GUARDED if the program can be built without the library because the source
+# has an #ifdef, or REQUIRED if the program is otherwise omitted. TBB is required if one of its headers is included
+# outside of an #ifdef.
 set(flip_geodesics_optional_libraries
     "CGAL_EIGEN3_ENABLED" CGAL::Eigen3_support GUARDED
     "#include <Eigen/|/(Operators|Tangent_spaces|Dirichlet_problem|Direction_field|Conformal_flattening)\\.h>"
@@ -80,11 +81,12 @@ set(flip_geodesics_optional_libraries
     "<CLI/CLI.hpp>" CLI11::CLI11 REQUIRED
     "<benchmark/benchmark.h>" benchmark::benchmark REQUIRED)
 
-# Sets `used` to the optional libraries that the `sources` mention and `missing` to those that they cannot do without.
+# Sets `used` to the optional libraries that the `sources` mention, and `missing` to those of them that are required but
+# were not found.
 function(flip_geodesics_find_used_libraries sources used missing)
   set(text "")
   foreach(source IN LISTS sources)
-    # Editing the source may change the answer.
+    # The result can change if the source is edited.
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${source}")
     file(READ "${source}" text_of_source)
     string(APPEND text "${text_of_source}")
@@ -108,9 +110,9 @@ endfunction()
 
 # flip_geodesics_add_program(name [WITHOUT_LIBRARY | WITHOUT_GMP] [PARTS source...])
 #
-# Adds the executable `name` made of `name.cpp`, linked to CGAL::Flip_geodesics if nothing else is said. Leaves it out,
-# with a message, if a required library is missing: test if(TARGET name) after the call. The parts, sources and
-# headers, are compiled together with it, so that a program costs the same however many sources it is in.
+# Adds the executable `name` with the source `name.cpp`, by default linked to CGAL::Flip_geodesics. If a required
+# library is missing, a message is printed and no target is added: test if(TARGET name) after the call. The parts, that
+# is, further sources and headers, are compiled as one unit together with the source.
 function(flip_geodesics_add_program name)
   cmake_parse_arguments(arg "WITHOUT_LIBRARY;WITHOUT_GMP" "" "PARTS" ${ARGN})
   set(sources "${CMAKE_CURRENT_SOURCE_DIR}/${name}.cpp" ${arg_PARTS})

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 #
-# Instances of templates that programs share, for clang++ 11 or newer: they are part of a precompiled header
-# (shared_instances.h), and their code is made once, in an object that the programs are linked to. A program compiles in
-# a fifth of the time that it takes otherwise.
+# Template instances that several programs share, for clang++ 11 or newer. The instances are part of a precompiled
+# header (shared_instances.h), and their code is generated once, in an object to which the programs are linked. This
+# reduces the time to compile a program to a fifth.
 
-# The objects are large; LLVM's linker takes a quarter of the time of the default one.
+# The objects are large; the linker of LLVM takes a quarter of the time that the default linker takes.
 find_program(FLIP_GEODESICS_LLD ld.lld)
 mark_as_advanced(FLIP_GEODESICS_LLD)
 if(FLIP_GEODESICS_LLD)
@@ -13,8 +13,9 @@ endif()
 
 # flip_geodesics_add_shared_instances(name level [DEFINITIONS macro...] [LIBRARIES target...] [HEADERS file...])
 #
-# Adds instances with these macros and libraries, and code of this level of optimization. The programs get the libraries
-# as well, but not that level. The headers are precompiled together with the instances.
+# Adds instances with the given macros and libraries, compiled with the given level of optimization. The programs are
+# linked to the libraries as well, but are not compiled with this level. The headers are precompiled together with the
+# instances.
 function(flip_geodesics_add_shared_instances name level)
   cmake_parse_arguments(arg "" "" "DEFINITIONS;LIBRARIES;HEADERS" ${ARGN})
   set(dir "${PROJECT_BINARY_DIR}/${name}")
@@ -23,7 +24,7 @@ function(flip_geodesics_add_shared_instances name level)
   set_target_properties(${name} PROPERTIES CXX_EXTENSIONS OFF)
   target_link_libraries(${name} PRIVATE CGAL::Flip_geodesics Flip_geodesics_warnings ${arg_LIBRARIES})
   target_compile_definitions(${name} PRIVATE ${arg_DEFINITIONS})
-  # Their code is not made where the header is used, but here.
+  # The code of the instances is generated here and not in the programs that use the header.
   target_compile_options(${name} PRIVATE "SHELL:-Xclang -fmodules-codegen" -O0)
   target_precompile_headers(${name} PRIVATE "${PROJECT_SOURCE_DIR}/package_info/cmake/shared_instances.h"
                             ${arg_HEADERS})
@@ -31,7 +32,8 @@ function(flip_geodesics_add_shared_instances name level)
   get_target_property(target_dir ${name} BINARY_DIR)
   set(object "${dir}/${name}${CMAKE_CXX_OUTPUT_EXTENSION}")
   separate_arguments(flags NATIVE_COMMAND "${CMAKE_CXX_FLAGS}")
-  # Optimized, but made into machine code without optimization: that takes half the time, and tests run little longer.
+  # Machine code is generated without optimization from the optimized intermediate code: this takes half the time, and
+  # tests are only slightly slower.
   set(compile "${CMAKE_CXX_COMPILER}" ${flags} -Wno-unused-command-line-argument)
   set(bitcode "${dir}/${name}.bc")
   add_custom_command(
@@ -52,10 +54,10 @@ function(flip_geodesics_share_instances target name)
   get_property(libraries TARGET ${name} PROPERTY FLIP_GEODESICS_LIBRARIES)
   target_precompile_headers(${target} REUSE_FROM ${name})
   target_compile_options(${target} PRIVATE -O0)
-  # The code of headers of GMP is there as well.
+  # The object contains code of the headers of GMP as well.
   target_link_libraries(${target} PRIVATE ${libraries} "${object}" gmpxx)
   set_property(TARGET ${target} APPEND PROPERTY LINK_DEPENDS "${object}")
-  # Ninja knows how the object is made and has the link alone wait for it, others have the sources wait as well.
+  # With Ninja, only linking waits for the object; with other generators, compilation waits for it as well.
   if(NOT CMAKE_GENERATOR MATCHES "Ninja")
     add_dependencies(${target} ${name}_object)
   endif()

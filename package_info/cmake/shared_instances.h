@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 /*
- * What most tests and examples include and instantiate: the package over a `Surface_mesh` with certified predicates, and
- * for tests, which have points of Simple_cartesian<double>, with predicates in double. clang++ precompiles it together with the instances, whose code is made once, optimized, for
- * all programs (see Flip_geodesics_shared_instances.cmake). No program depends on it: what is missing here is instantiated
- * where it is used.
+ * Includes and instantiates the parts of the package that most tests and examples use, for a `Surface_mesh` with
+ * certified predicates. For tests, whose points are those of Simple_cartesian<double>, the parts are instantiated with
+ * predicates in double as well. clang++ precompiles this header, and generates the code of the instances once for all
+ * programs (see Flip_geodesics_shared_instances.cmake). No program depends on this header: a template that is missing
+ * here is instantiated where it is used.
  */
 
 #ifndef FLIP_GEODESICS_SHARED_INSTANCES_H
@@ -32,7 +33,7 @@ using Kernel = CGAL::Simple_cartesian<double>;
 #endif
 using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
 
-/// Calls what programs call most, over a network and its triangulation. Never called itself.
+/// Instantiates the most frequently used functions of a network and its triangulation. This function is never called.
 template <class Network>
 void use_network(Network& network, const Surface& mesh)
 {
@@ -55,7 +56,7 @@ void use_network(Network& network, const Surface& mesh)
   FG::cut_along_curves(network, mesh);
 }
 
-/// The same, over a triangulation.
+/// Instantiates the most frequently used functions of a triangulation. This function is never called.
 template <class Triangulation>
 void use_triangulation(const Surface& mesh)
 {

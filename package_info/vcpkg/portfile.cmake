@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 #
-# A port of the sources that it lies in: vcpkg install flip-geodesics --overlay-ports=FOLDER/package_info/vcpkg
+# Installs the sources that contain this file: vcpkg install flip-geodesics --overlay-ports=FOLDER/package_info/vcpkg
 
 set(VCPKG_BUILD_TYPE release) # headers only
 get_filename_component(SOURCE_PATH "${CURRENT_PORT_DIR}/../.." ABSOLUTE)
