@@ -152,7 +152,10 @@ public:
    * \param tolerance the largest accepted deviation of the angle sum at an interior vertex from \f$2\pi\f$, in radians
    * \throws Flattening_error if the cut surface is not a disk, if a face remains degenerate, or if the tolerance is
    *         exceeded
-   * \throws Degenerate_face_error if a face of the triangulation is degenerate in double precision
+   * \throws Degenerate_face_error if a face of the triangulation is degenerate in double precision, or as `Operators`
+   *         does
+   * \throws Invalid_mesh_error as `Operators` does
+   * \throws Invalid_coordinate_error as `Operators` does
    */
   template <class Network>
   Conformal_flattening(const Network& network, double tolerance)
@@ -731,8 +734,10 @@ bool move_to_near_vertices(Network& network)
  *         tolerance is exceeded; or if the scale factor of an input vertex is estimated to be less than about
  *         \f$10^{-9}\f$ or greater than about \f$10^9\f$, so that coordinates in the plane would be too inaccurate. If
  *         the cut surface is a disk, `elements()` returns a vertex to which the cut should be extended, if one is known
- * \throws Degenerate_face_error if a face is degenerate in double precision
+ * \throws Degenerate_face_error if a face is degenerate in double precision, or as `refine()` does
  * \throws Occupied_triangulation_error as `refine()` does
+ * \throws Invalid_mesh_error as `refine()` does
+ * \throws Invalid_coordinate_error as `refine()` does
  */
 template <class Network, class... NamedParameters>
 Conformal_flattening<typename Network::Triangulation> refine_and_flatten(Network& network, const NamedParameters&... np)

@@ -31,10 +31,11 @@ namespace CGAL::Flip_geodesics {
  *
  * The field is stored as one complex number \f$u_i\f$ per vertex, the `symmetry`-th power of a direction in the tangent
  * space of the vertex (`Tangent_spaces`). The field minimizes the energy \f$\sum_{ij} w_{ij} |u_j - r_{ij} u_i|^2\f$,
- * where \f$w_{ij}\f$ are the cotangent weights of the edges, and \f$r_{ij}\f$ are the `symmetry`-th powers of the
- * parallel transport along the edges. If directions are prescribed, for instance along curves, the minimum is taken
- * over all fields with these directions \cgalCite{SC20,section 6.4 and Figure 26}. If no directions are prescribed, the
- * minimum is taken over all fields whose squared magnitude has the mean 1 in each connected component.
+ * where \f$w_{ij}\f$ is the cotangent weight of the edge from vertex \f$i\f$ to vertex \f$j\f$, and the complex number
+ * \f$r_{ij}\f$ represents the parallel transport of `symmetry`-th powers along this edge. If directions are prescribed,
+ * for instance along curves, the minimum is taken over all fields with these directions
+ * \cgalCite{SC20,section 6.4 and Figure 26}. If no directions are prescribed, the minimum is taken over all fields
+ * whose squared magnitude has the mean 1 in each connected component.
  *
  * Interior edges that are not Delaunay have negative weights, with which the energy can become negative. Flip the
  * triangulation to Delaunay first.
@@ -62,9 +63,11 @@ public:
    * Prepares the computation.
    *
    * \param triangulation a triangulation, which must outlive the field and must not be changed
-   * \param symmetry the number of directions at a point, at least 1
+   * \param symmetry the number of directions at a point
+   * \pre `symmetry >= 1`
    * \throws Degenerate_face_error as `Operators` does
-   * \throws Invalid_mesh_error as `Tangent_spaces` does
+   * \throws Invalid_mesh_error as `Operators` and `Tangent_spaces` do
+   * \throws Invalid_coordinate_error as `Operators` does
    */
   explicit Direction_field(const Triangulation& triangulation, int symmetry = 4)
     : m_triangulation(triangulation)

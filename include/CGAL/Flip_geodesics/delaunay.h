@@ -179,7 +179,7 @@ std::vector<Edge_index> edges_near_curves(const Network& network, int rings = 1)
 
 /// \ingroup PkgFlipGeodesicsDelaunay
 /// Returns whether all edges that do not lie under curves are locally Delaunay. The result is exact if the predicates
-/// of the traits are exact.
+/// of the traits are exact. Invalid faces cause the exceptions of `flip_to_delaunay()`.
 ///
 /// Complexity: linear in the size of the mesh.
 template <class Triangulation>
