@@ -72,8 +72,9 @@ public:
    * is the multiplication of two 64-bit words. Each multiplication of integers counts as at least 32 units. The
    * multiplication of two numbers with \f$r\f$ independent roots takes up to \f$4^r\f$ multiplications of integers.
    *
-   * The other methods do not use this limit. One of them computes the sign of a sum of square roots, always with the
-   * default work limit, if all edges across which the input faces are not coplanar are parallel.
+   * The other methods listed in Section \ref Flip_geodesicsCertified do not use this limit. One of them computes the
+   * sign of a sum of square roots, always with the default work limit, if all edges across which the input faces are
+   * not coplanar are parallel.
    */
   std::uint64_t sign_work_limit() const { return m_sign_work_limit; }
 

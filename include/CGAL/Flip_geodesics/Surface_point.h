@@ -71,12 +71,12 @@ inline Location_kind kind(const Surface_location& location)
 }
 
 /// \ingroup PkgFlipGeodesicsTree
-/// Stores the polar coordinates of a vertex with respect to the source of a tree.
+/// Stores the polar coordinates of a vertex or point with respect to a source.
 struct Polar_coordinates
 {
   /// The length of the path from the source; infinite if no path exists.
   double radius = std::numeric_limits<double>::infinity();
-  /// The angle of the initial direction of the path, in radians; NaN at the source, and if no path exists.
+  /// The angle of the initial direction of the path, in radians; NaN at the source or if no path exists.
   double angle = std::numeric_limits<double>::quiet_NaN();
 };
 

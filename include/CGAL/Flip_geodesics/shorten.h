@@ -73,9 +73,9 @@ public:
    * \throws Invalid_coordinate_error as `shorten()` does
    *
    * Complexity: typically linear in the number of flips. With traits whose `Has_drift` is `CGAL::Tag_true`, the curves
-   * are also measured when no step remains, each time in the time of a call of `report()`. If a measurement finds a
-   * bend, the faces at the bend are recomputed, and the curves are shortened further and measured again, at most 50
-   * times.
+   * are also measured when no step remains. A measurement takes the time of a call of `report()`. If a measurement
+   * finds a bend, the faces at the bend are recomputed, and the curves are shortened further and measured again, at
+   * most 50 times.
    */
   template <class StopPredicate = Never_stop_predicate, class Visitor = Default_shortening_visitor>
   bool run(const StopPredicate& stop = StopPredicate(), Visitor&& visitor = Visitor())

@@ -406,8 +406,8 @@ Paths_of_classes<TriangleMesh, Form> paths_by_class_between(Triangulation& trian
  * The function searches for shortest edge paths in the universal cover of the surface, in which each class of paths has
  * its own end point. A part of the cover is constructed. In this part, shortest paths to these end points are computed
  * as by `shortest_path()`. The lengths of paths that leave the part are bounded from below, and the part is enlarged
- * until these bounds exceed the lengths of the computed paths. If the search is aborted instead, the report is not
- * confirmed.
+ * until these bounds exceed the lengths of the computed paths. If the search is aborted instead, paths can be missing
+ * or remain unconfirmed.
  *
  * \sa `shortest_path()`
  */

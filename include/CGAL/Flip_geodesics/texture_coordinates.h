@@ -186,7 +186,7 @@ Value picture_place(double x, double y)
  *        only the work limit is used
  * \return a report on the faces
  * \throws Invalid_parameter_error if the size is not positive and finite, the angle is not finite, or the halfedge is
- *         not a side of a face of the source
+ *        not one that `trace_geodesic()` accepts
  * \throws Vertex_out_of_range_error if a vertex given as the source does not belong to the mesh
  * \throws Invalid_location_error if the source does not lie on the mesh
  * \throws Degenerate_face_error as `Geodesic_distance_field::compute()` does
