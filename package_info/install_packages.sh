@@ -35,9 +35,9 @@ missing_packages() {
 }
 
 # install_packages([--no-install] package...): prints the command that installs the missing Debian packages, and runs it
-# as root or by sudo. With --no-install, the command is only printed, and the script continues. On systems without Debian
-# packages, nothing is installed, and the script continues. If the user is not allowed to install packages, the command is
-# printed, and the script ends.
+# as root or by sudo. With --no-install, the command is only printed, and the script continues. On systems without
+# Debian packages, nothing is installed, and the script continues. If the user is not allowed to install packages, the
+# command is printed, and the script ends.
 install_packages() {
   local may_install=1 missing
   if [ "${1-}" = --no-install ]; then
