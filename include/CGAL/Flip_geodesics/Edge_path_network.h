@@ -178,8 +178,9 @@ public:
         continue;
       for(Segment_index fixed : freed)
         set_head_fixed(fixed, true);
-      internal::throw_naming<Crossing_curves_error>(
-          "the nodes of a curve cannot be freed, because two curves, or two parts of one curve, cross at vertex ", v);
+      internal::throw_naming<Crossing_curves_error>("the nodes of a curve cannot be freed, because at vertex ", v,
+                                                    ", two curves or two parts of one curve cross, or ends of curves "
+                                                    "or fixed nodes lie on both sides of a curve");
     }
   }
 
