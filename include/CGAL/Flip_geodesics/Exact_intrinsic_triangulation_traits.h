@@ -57,8 +57,8 @@ namespace CGAL::Flip_geodesics {
  * \tparam NT a field number type: `double`, `float`, `Interval_nt<>`, a `Sqrt_extension`, a rational or floating-point
  *         number type of Boost.Multiprecision, or any other model of `RealEmbeddable` and `Field` that is a model of
  *         `FieldWithSqrt` or has the functor `Is_square`
- * \tparam K a kernel with `Point_3` and `FT`; coordinates are used exactly if `FT` is `NT` or has rational values, and
- *         are rounded to doubles otherwise
+ * \tparam K a kernel with `Point_3` and `FT`. If `NT` is exact, coordinates are used exactly, provided that `FT` is
+ *         `NT` or has rational values. Coordinates of all other types are rounded to doubles first
  *
  * \cgalModels{IntrinsicTriangulationTraits}
  */
@@ -126,8 +126,8 @@ public:
     static_assert(has_radicand, "only a number type without square roots accepts a radicand");
   }
 
-  /// Returns the default work limit. These traits determine all signs without this limit. Only functions that compute
-  /// signs from the input, such as `certify()`, use the limit.
+  /// Returns the default work limit. The predicates of these traits are not subject to this limit. Only functions that
+  /// compute signs from the input, such as `certify()`, use the limit.
   static std::uint64_t sign_work_limit() { return internal::default_sign_work; }
 
   /// Returns the largest deviation from \f$\pi\f$, in radians, at which an angle still counts as straight. The result

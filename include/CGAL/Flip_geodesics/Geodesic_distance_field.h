@@ -109,9 +109,9 @@ struct Distance_field_report
   /// with the number of faces that paths cross, and with the number of crossed edges that are long compared with the
   /// distance. The estimate of the errors is conservative; most errors are far smaller than estimated.
   bool has_inaccurate_distance = false;
-  /// `WITHIN_TOLERANCE` if every distance up to `Geodesic_distance_field::reach()` exceeds the length of a shortest
-  /// path by at most 1e-10 of the distance. `UNDECIDED` if `has_flat_face` or `has_inaccurate_distance` is `true`, or
-  /// if coordinates or lengths of the mesh had to be rounded.
+  /// The verdict on the distances. It is `WITHIN_TOLERANCE` if every distance up to `Geodesic_distance_field::reach()`
+  /// differs from the length of a shortest path by at most 1e-10 of the distance. It is `UNDECIDED` if `has_flat_face`
+  /// or `has_inaccurate_distance` is `true`, or if coordinates or lengths of the mesh had to be rounded.
   Verdict verdict = Verdict::UNDECIDED;
 };
 
@@ -195,8 +195,8 @@ public:
    *
    * \param point a vertex of the input, as a `Vertex_index`, or a point of any type that `surface_location()` accepts
    * \param offset the number that is added to all distances from this source
-   * \throws Invalid_parameter_error if the field has been computed
-   * \throws Vertex_out_of_range_error if `point` is not the index of a vertex of the input
+   * \throws Invalid_parameter_error if the field has been computed, that is, if `reach()` is greater than 0
+   * \throws Vertex_out_of_range_error if `point` is a vertex that does not belong to the mesh
    * \throws Invalid_location_error if `point` is not a point of the surface
    * \throws Invalid_coordinate_error if the offset is negative, not finite, or more than about 1e10 times the length of
    *         the sides of a face that contains the point. With a larger offset, rounding errors of distances would
@@ -229,16 +229,18 @@ public:
    * `Curve_extractor::surface_locations()` returns the locations of a curve of a network.
    *
    * \param locations a range of points of the surface, of any type that `surface_location()` accepts. Consecutive
-   *        points must lie in a common face or on its boundary
+   *        points must lie in a common face, where the border of the face counts as a part of the face
    * \param offset the number that is added to all distances from this source
    * \throws Invalid_curve_error if the range is empty, or two consecutive locations do not lie in a common face
    * \throws Invalid_parameter_error as `add_source()` does
+   * \throws Vertex_out_of_range_error as `add_source()` does
    * \throws Invalid_location_error as `add_source()` does
-   * \throws Invalid_coordinate_error as `add_source()` does
+   * \throws Invalid_coordinate_error as `add_source()` does for the first location
    * \throws Degenerate_face_error as `add_source()` does
    * \throws Invalid_mesh_error as `add_source()` does
    *
-   * Complexity: linear in the number of locations plus the sum of the degrees of the vertices among them.
+   * Complexity: linear in the number of locations plus the sum of the degrees of the vertices among them, plus the time
+   * of `surface_location()` for points in space.
    */
   template <class LocationRange>
   std::size_t add_curve(const LocationRange& locations, double offset = 0)
@@ -363,13 +365,14 @@ public:
    * Returns the distance of a point from its nearest source, and the number of this source.
    *
    * \param point a vertex of the input, as a `Vertex_index`, or a point of any type that `surface_location()` accepts
-   * \throws Vertex_out_of_range_error if `point` is not the index of a vertex of the input
+   * \throws Vertex_out_of_range_error if `point` is a vertex that does not belong to the mesh
    * \throws Invalid_location_error if `point` is not a point of the surface
-   * \throws Invalid_parameter_error if the field is `VERTICES_ONLY` and the point is not a vertex, or if `compute()`
+   * \throws Invalid_parameter_error if the extent is `VERTICES_ONLY` and the point is not a vertex, or if `compute()`
    *         has not been called
    *
-   * Complexity: linear in the number of vertices at which the shortest path bends. If the point is not a vertex, plus
-   * time linear in the number of windows on the sides of the face that contains the point.
+   * Complexity: linear in the number of vertices at which the shortest path bends and, if the point is not a vertex, in
+   * the number of windows on the sides of the face that contains the point. For a point in space, the time of
+   * `surface_location()` is added.
    */
   template <class Point = Surface_location>
   Answer answer(const Point& point) const
@@ -483,7 +486,7 @@ public:
   }
 
   /// Returns the gradient of the distance at a location as a vector in space. The type of the vector is that of the
-  /// kernel of the points of the mesh. The function is only available if the metric has points. The precondition and
+  /// kernel of the points of the mesh. The function is available only if the metric has points. The precondition and
   /// the exceptions are those of `gradient()`.
   auto gradient_in_space(const Surface_location& location) const
   {

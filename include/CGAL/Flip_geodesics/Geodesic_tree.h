@@ -84,16 +84,16 @@ struct Geodesic_tree_report
  * Represents the tree of geodesics from a source to all vertices, or to all vertices within a given distance. All paths
  * consist of edges of the same intrinsic triangulation \cgalCite{SC20,section 6.5}.
  *
- * The tree is grown by Dijkstra's algorithm on the current triangulation. A vertex is accepted only if the path to it
- * forms an angle of at least \f$\pi\f$ on both sides at the preceding vertex, its parent in the tree. If an angle is
- * smaller than \f$\pi\f$, the edges inside the wedge with the smaller of the two angles are flipped. The flips yield a
- * shorter path, and the search continues. Such a wedge never contains an edge of the tree, since accepted paths have
- * angles of at least \f$\pi\f$ at the apex of the wedge. In contrast to \cgalCite{SC20}, the acceptance of a vertex is
- * revoked if a new edge gives a shorter path to it. The finished tree is therefore a shortest path tree of the edge
- * graph of the final triangulation.
+ * The tree is grown by Dijkstra's algorithm on the current triangulation. Before a vertex is accepted, `grow()` checks
+ * whether the path to it is bent at the preceding vertex, that is, whether the two edges of the path form an angle
+ * smaller than \f$\pi\f$ on one side. If so, the edges inside the wedge with the smaller angle are flipped, which
+ * yields a shorter path, and the search continues. A vertex with a bent path is accepted only if flips no longer
+ * shorten the path, because of rounding errors or degenerate faces. In contrast to \cgalCite{SC20}, the acceptance of a
+ * vertex is revoked if a new edge gives a shorter path to it. The finished tree is therefore a shortest path tree of
+ * the edge graph of the final triangulation.
  *
- * The paths are locally shortest and do not cross. Most of them are globally shortest; `make_shortest()` replaces the
- * others.
+ * If the status is `LOCALLY_SHORTEST`, the paths are locally shortest and do not cross. Most of them are globally
+ * shortest; `make_shortest()` replaces the others.
  *
  * A tree that has been grown satisfies an invariant, which `is_valid()` checks. The distance of a reached vertex is the
  * distance of its parent plus the length of the edge between the two vertices, and no edge between reached vertices
@@ -146,7 +146,7 @@ public:
    * \cgalNamedParamsEnd
    *
    * \return a report on the growth
-   * \throws Vertex_out_of_range_error if `source` is not the index of a vertex of the triangulation
+   * \throws Vertex_out_of_range_error if `source` is a vertex that does not belong to the triangulation
    * \throws Invalid_location_error if `source` is not a point of the surface
    * \throws Insertion_error as `Intrinsic_triangulation::insert()` does
    * \throws Invalid_parameter_error if `max_distance` is negative or not a number

@@ -247,9 +247,9 @@ public:
    * Returns whether a closed chain of input halfedges can be contracted to a point on the surface.
    *
    * The problem is solved exactly in the fundamental group: by reduction in the free group if the component has a
-   * border, by exponent sums on a torus, and by Dehn's algorithm \cgalCite{LS77} on other closed surfaces. A curve of
-   * homology class zero need not be contractible: for example, a curve that separates two handles is not contractible,
-   * although its class is zero.
+   * border, by exponent sums on a torus, and by Dehn's algorithm \cgalCite{LS77} on closed surfaces of higher genus. A
+   * curve of homology class zero need not be contractible: for example, a curve that separates two handles is not
+   * contractible, although its class is zero.
    *
    * \param halfedges a range of `Input_halfedge_index` that forms a closed chain, as for `homology_class()`
    * \throws Invalid_curve_error if the chain is not closed

@@ -44,8 +44,8 @@ enum class Spline_kind {
  * \ingroup PkgFlipGeodesicsBuilders
  *
  * Computes a chain of geodesic B&eacute;zier curves on the surface \cgalCite{MCV08}, \cgalCite{SC20,section 6.2}, by de
- * Casteljau's algorithm with geodesics instead of straight lines. Each curve is subdivided into pieces. On a planar
- * mesh, the points at which consecutive pieces meet lie on the B&eacute;zier curve up to rounding errors.
+ * Casteljau's algorithm with geodesics instead of straight lines. Each curve is subdivided into pieces. On a planar,
+ * convex mesh, the points at which consecutive pieces meet lie on the B&eacute;zier curve up to rounding errors.
  *
  * Each *leg* of a control polygon, the geodesic between two consecutive control points, is shortened independently, in
  * a triangulation that is restored afterwards. Legs can therefore pass through control points, overlap, and cross one
@@ -58,8 +58,7 @@ enum class Spline_kind {
  * `add_curve_along()` turns the pieces of the finished curve into a curve of a network, and thus into edges of a
  * triangulation.
  *
- * Invariant: each leg is a geodesic that starts at the end of the previous leg. The triangulation is unchanged after
- * each call of a member function.
+ * The triangulation is unchanged after each call of a member function.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`
  */
@@ -78,6 +77,7 @@ public:
    * \param kind the type of the spline
    * \throws Invalid_curve_error if there are fewer than two points, or fewer than three for a closed spline
    * \throws Occupied_triangulation_error if a network has curves in the triangulation
+   * \throws Vertex_out_of_range_error if a vertex is given that does not belong to the mesh or is isolated
    * \throws Invalid_location_error if a location is not a point of the surface
    * \throws Insertion_error as `Intrinsic_triangulation::insert()` does
    * \throws Disconnected_endpoints_error if no edge path connects two consecutive points
@@ -211,11 +211,11 @@ public:
   const Shortening_report& report() const { return m_report; }
   /// Returns the length of the finished curve. \throws Invalid_parameter_error if `finish()` has not been called
   double length() const { return finished().length; }
-  /// Returns the status of all legs of the finished curve together. \throws Invalid_parameter_error if `finish()` has
-  /// not been called
+  /// Returns the status of all geodesics of the finished curve together. \throws Invalid_parameter_error if `finish()`
+  /// has not been called
   Shortening_status status() const { return finished().status; }
-  /// Returns the verdict on all legs of the finished curve together. \throws Invalid_parameter_error if `finish()` has
-  /// not been called
+  /// Returns the verdict on all geodesics of the finished curve together. \throws Invalid_parameter_error if
+  /// `finish()` has not been called
   Verdict verdict() const { return finished().verdict; }
 
 private:
@@ -351,6 +351,7 @@ private:
  *         crossed edge. In this case no curve is added, but points may have become vertices, and edges may have been
  *         flipped
  * \throws Disconnected_endpoints_error if no edge path connects two consecutive points
+ * \throws Vertex_out_of_range_error if a vertex is given that does not belong to the mesh or is isolated
  * \throws Invalid_location_error as `Edge_path_network::insert()` does
  * \throws Insertion_error as `Edge_path_network::insert()` does
  * \throws Occupied_triangulation_error as `Edge_path_network::insert()` does
@@ -497,6 +498,7 @@ Free_legs geodesics_through(Triangulation& triangulation, const std::vector<Surf
  * \throws Invalid_curve_error if fewer than two points are given
  * \throws Occupied_triangulation_error if a network has curves in the triangulation
  * \throws Disconnected_endpoints_error if no edge path connects two consecutive points
+ * \throws Vertex_out_of_range_error if a vertex is given that does not belong to the mesh or is isolated
  * \throws Invalid_location_error as `Intrinsic_triangulation::insert()` does
  * \throws Insertion_error as `Intrinsic_triangulation::insert()` does
  * \throws Degenerate_face_error as `shorten()` does

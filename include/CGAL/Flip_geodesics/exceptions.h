@@ -198,8 +198,8 @@ public:
 /// isolated base point of loops, or two base points in one component. It is also thrown if a distance field returns NaN
 /// or is queried at a location for which it stores no data, and if a result is requested before it has been computed.
 ///
-/// If a level, a point whose mean is computed, an element of the mesh or a base point is the cause, `elements()` returns
-/// its position in the given range or its index.
+/// If a level, a point whose mean is computed, an element of the mesh or a base point is the cause, `elements()`
+/// returns its position in the given range or its index.
 class Invalid_parameter_error : public Error
 {
 public:
@@ -208,8 +208,8 @@ public:
 
 /// \ingroup PkgFlipGeodesicsErrors
 /// Is thrown if a vertex does not belong to the mesh, or if a vertex is isolated although a vertex of a face is
-/// required. `elements()` returns the index of the vertex or its position among the given vertices, if one of the two
-/// is known.
+/// required. `elements()` returns the index of the vertex or its position among the given vertices, unless neither is
+/// known.
 class Vertex_out_of_range_error : public Error
 {
 public:
@@ -273,8 +273,8 @@ public:
 /// Is thrown if input curves cross in every order of their overlapping segments, or if curves would cross after their
 /// nodes were freed. In both cases, `elements()` returns a vertex at which the curves cross.
 ///
-/// The exception is also thrown if a segment of a polyline or a leg of a curve crosses an edge of a curve. In this case,
-/// `elements()` returns the two end points of the edge.
+/// The exception is also thrown if a segment of a polyline, or a geodesic segment of a curve that is being added,
+/// crosses an edge of a curve. In this case, `elements()` returns the two end points of the edge.
 class Crossing_curves_error : public Error
 {
 public:
@@ -283,8 +283,8 @@ public:
 
 /// \ingroup PkgFlipGeodesicsErrors
 /// Is thrown if an edge would have to be flipped or split although a curve lies on it. If a network splits the edge,
-/// only curves of other networks cause the exception. The edge remains unchanged. If the edge would be split by
-/// inserting a point, `elements()` returns the halfedge of this point.
+/// only curves of other networks cause the exception. The edge remains unchanged. If
+/// `Intrinsic_triangulation::insert()` throws the exception, `elements()` returns the halfedge of the location.
 ///
 /// Functions that require a triangulation without curves also throw the exception.
 class Occupied_triangulation_error : public Error

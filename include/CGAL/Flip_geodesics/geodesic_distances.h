@@ -297,8 +297,8 @@ Distances_report make_shortest(Geodesic_tree<Triangulation>& tree, const Window_
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{search_limit}
- *     \cgalParamDescription{the number of windows after which the search is aborted; in this case, the tree remains
- *       unchanged}
+ *     \cgalParamDescription{the number of windows after which the field is aborted; in this case, the tree remains
+ *       unchanged. This number also limits the search}
  *     \cgalParamType{`Window_limit`}
  *     \cgalParamDefault{`Window_limit()`}
  *   \cgalParamNEnd

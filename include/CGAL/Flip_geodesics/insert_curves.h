@@ -181,9 +181,8 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  *
  * A curve can be the output of a function of this package, or a polyline drawn by a user. A curve can be open or
  * closed; the last point of a closed curve must repeat the first. Curves are allowed to cross themselves and one
- * another, to lie on edges, to pass through vertices, and to overlap. Each crossing of two curves inside a face becomes
- * one new vertex. Whether curves cross is decided exactly, by a constrained Delaunay triangulation in the plane of each
- * face.
+ * another, to lie on edges, to pass through vertices, and to overlap. Each crossing inside a face becomes
+ * a vertex. Crossings are computed exactly, by a constrained Delaunay triangulation in the plane of each face.
  *
  * The vertices of the mesh, and the edges and faces that no curve divides, are kept with their points and properties.
  * One part of a divided face or split edge keeps the descriptor of this face or edge; the other parts are new.
@@ -196,16 +195,19 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  *
  * Rounded coordinates cannot distinguish vertices that are too close to each other. Therefore a point is moved to an
  * edge if one of its barycentric coordinates is at most the snapping tolerance (\f$10^{-9}\f$ for points in space), and
- * to a vertex if two of them are. Two points on an edge are *close* to each other if their distance is at most the
- * tolerance times the length of the edge, plus \f$2^{-48}\f$ times the largest coordinate of the ends of the edge. For
- * two points in a face, the longest side and the corners of the face replace the edge and its ends. Close points are
- * merged, and a segment that passes close to a vertex is led through the vertex. If the tolerance is zero, nothing is
- * merged, and faces of the result can be degenerate unless the kernel has exact constructions.
+ * to a vertex if two of them are. Furthermore, points are merged if they are *close* to each other. Let \f$l\f$ be the
+ * length of an edge, let \f$m\f$ be the largest absolute value of a coordinate of its ends, and let \f$s\f$ be the
+ * snapping tolerance given by the named parameter. Two points on the edge are close to each other if their distance is
+ * at most \f$s l + 2^{-48} m\f$. In a nondegenerate face, the same bound applies, where \f$l\f$ is the length of the
+ * longest side and \f$m\f$ is the largest absolute value of a coordinate of the corners. A point inside a face that is
+ * close to a side is moved to this side, and a segment that passes close to a vertex is led through the vertex. If
+ * \f$s\f$ is zero, only coincident points are merged, and faces of the result can be degenerate unless the kernel has
+ * exact constructions.
  *
  * The mesh is unchanged if an exception is thrown, unless memory runs out or the visitor throws the exception.
  *
  * \param mesh a model of `MutableFaceGraph`, `FaceListGraph` and `HalfedgeListGraph`, in which no two faces have the
- *        same three vertices. Only the faces that are divided must be triangles
+ *        same three vertices. A face must be a triangle only in the cases listed under `Invalid_mesh_error`
  * \param curves a range of curves, or a single one. A curve is a range of points, or has such a range as its member
  *        `locations`, like an `Isoline` or a `Voronoi_boundary`. A point is a vertex of the mesh, a
  *        `CGAL::Polygon_mesh_processing::Face_location`, a `Surface_location`, a `Surface_point`, a `Curve_point`, a
@@ -254,20 +256,22 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  *
  * \return the numbers of new vertices, divided and new faces, and regions
  *
- * \exception Invalid_location_error if a face is null; if barycentric coordinates are negative or NaN, or do not sum to
- *            one within 10<sup>-6</sup>; or if a point in space is not finite or does not lie on the surface.
- *            `elements()` returns the position of the curve in the range of curves, and the position of the point in
- *            the curve
+ * \exception Invalid_location_error if a point does not lie on the surface; if a given face is null; or if barycentric
+ *            coordinates are NaN, are negative by more than the snapping tolerance, or do not sum to one within
+ *            10<sup>-6</sup>. `elements()` returns the position of the curve in the range of curves, and the position
+ *            of the point in the curve
  * \exception Vertex_out_of_range_error if a vertex does not belong to any face. The elements of the exception are the
  *            positions of the curve and of the vertex
- * \exception Invalid_curve_error if a curve has no points, or if two consecutive points do not lie in a common face;
- *            `elements()` returns the position of the curve and the position of the second point
- * \exception Invalid_mesh_error if a face that a curve enters, or a face beside a split edge, is not a triangle. If
- *            points in space are given, also if a face in which they are searched for is not a triangle. If vertices,
- *            `Surface_location`s or `Surface_point`s are given, also if the mesh is a `Surface_mesh` that contains
- *            removed vertices or edges
- * \exception Invalid_coordinate_error if a vertex of a face that is divided or searched has a coordinate that is not
- *            finite; `elements()` returns the position of the vertex in the range of vertices
+ * \exception Invalid_curve_error if a curve has no points, or if two consecutive points do not lie in a common face.
+ *            `elements()` returns the position of the curve and, if it has points, the position of the second of these
+ *            points in the curve
+ * \exception Invalid_mesh_error if a face that contains a point or a segment of a curve, or a face beside a split edge,
+ *            is not a triangle. For a point or a segment on the border of several faces, at least one of these faces is
+ *            checked. If points in space are given, also if a face in which they are searched for is not a triangle. If
+ *            vertices, `Surface_location`s or `Surface_point`s are given, also if the mesh is a `Surface_mesh` that
+ *            contains removed vertices or edges
+ * \exception Invalid_coordinate_error if a corner of such a face has a coordinate that is not finite; `elements()`
+ *            returns the position of the vertex in the range of vertices
  * \exception Invalid_parameter_error if the snapping tolerance is out of range
  *
  * Complexity: \cgalBigO{n \log n} for \f$n\f$ points and crossings in total if each face contains few of them. The time

@@ -121,7 +121,7 @@ inline std::vector<double> sorted_levels(const std::vector<double>& levels)
  * as well. A face whose three vertices have infinite distances is assumed to contain no point with a finite distance.
  *
  * \param mesh a triangle mesh; distances on it are those of the surface that its points in space define
- * \param field a model of `GeodesicDistanceField`
+ * \param field a model of `GeodesicDistanceField`; a `Geodesic_distance_field` must have the extent `EVERYWHERE`
  * \param levels a range of numbers; a level that is not larger than the smallest distance has no isolines
  * \param out an output iterator that receives an `Isoline<TriangleMesh, Point>` for each component, in the order of the
  *        levels, where `Point` is the value type of the vertex point map
@@ -144,10 +144,10 @@ inline std::vector<double> sorted_levels(const std::vector<double>& levels)
  *
  * \return the past-the-end output iterator
  * \throws Invalid_parameter_error if a level is not finite; if the tolerance is not positive, not finite, or less than
- *         1e-14 of a side of a face; if the field returns NaN; or if the field is a `Geodesic_distance_field` that has
- *         not been computed
+ *         1e-14 of a side of a face, or would require more parts of faces than 32-bit indices can number; if the field
+ *         returns NaN; or if the field is a `Geodesic_distance_field` that has not been computed
  * \throws Invalid_mesh_error if a face is not a triangle
- * \throws Invalid_coordinate_error if a coordinate is not finite
+ * \throws Invalid_coordinate_error if a coordinate is not finite or is too large
  *
  * Complexity: the field is evaluated once per vertex, and about twenty times for each piece of length \f$t\f$ of an
  * isoline. An isoline has one point for each edge that it crosses. In addition, a piece of length \f$\ell\f$ with a
@@ -304,16 +304,15 @@ struct Voronoi_boundary : Located_polyline<TriangleMesh, Point>
  * without an offset.
  *
  * \param mesh a triangle mesh; distances on it are those of the surface that its points in space define
- * \param field a model of `GeodesicDistanceField`
+ * \param field a model of `GeodesicDistanceField`; a `Geodesic_distance_field` must have the extent `EVERYWHERE`
  * \param out an output iterator that receives a `Voronoi_boundary<TriangleMesh, Point>` for each boundary, where
  *        `Point` is the value type of the vertex point map
  * \param tolerance a distance on the surface, in the unit of the coordinates
  * \param np the named parameters `vertex_point_map` and `visitor`, as for `isolines()`
  * \return the past-the-end output iterator
- * \throws Invalid_parameter_error if the tolerance is not positive, not finite, or less than 1e-14 of a side of a face;
- *         if the field returns NaN; or if the field is a `Geodesic_distance_field` that has not been computed
+ * \throws Invalid_parameter_error as `isolines()` does, except for levels
  * \throws Invalid_mesh_error if a face is not a triangle
- * \throws Invalid_coordinate_error if a coordinate is not finite
+ * \throws Invalid_coordinate_error if a coordinate is not finite or is too large
  *
  * Complexity: the field is evaluated once per vertex, and about forty times for each piece of length \f$t\f$ of a
  * boundary. The number of all other evaluations is at most a small multiple of \f$s / t\f$.

@@ -62,7 +62,7 @@ struct Shortest_path_report
   /// Returns how the shortening of the path ended.
   Shortening_status status() const { return shortening.status(); }
 
-  /// Returns whether the path is confirmed to be shortest; an unconfirmed path may still be shortest.
+  /// Returns whether the path is confirmed to be shortest; an unconfirmed path can nevertheless be shortest.
   bool is_confirmed() const { return Flip_geodesics::is_confirmed(verdict); }
 
   /// Returns an upper bound on the difference between the length of the path and that of a shortest path.
@@ -691,8 +691,8 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
  * Adds a shortest path between two vertices to an empty network, and computes a lower bound on the lengths of all paths
  * between them.
  *
- * The bound `Shortest_path_report::lower_bound` is computed with outward rounding. It is usually less than the length
- * of the path by at most 1e-12 of this length. The path is reported as `Verdict::WITHIN_ROUNDING` if it is a
+ * The bound `Shortest_path_report::lower_bound` is computed with outward rounding. Its difference from the length of
+ * the path is usually at most 1e-12 of this length. The path is reported as `Verdict::WITHIN_ROUNDING` if it is a
  * `Verdict::PROVEN` geodesic and its length exceeds the bound by at most the fraction
  * `Shortest_path_report::rounding_tolerance()` of the length.
  *
@@ -745,10 +745,10 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
  * After any exception other than `Occupied_triangulation_error`, including exceptions of the visitor, the network is
  * empty, and the triangulation has no flipped edges.
  *
- * Complexity: that of `geodesic_path()`, plus \cgalBigO{n \log n + w \log w} time. Here, \f$n\f$ is the number of
- * vertices whose distances in space from both ends add up to less than the length of the path, and \f$w\f$ is the
- * number of windows. The windows lie in a region around the path that narrows as the bounds become tighter; their
- * number is \cgalBigO{n^2} in the worst case.
+ * Complexity: that of `geodesic_path()`, plus \cgalBigO{n \log n + w \log w} time for \f$w\f$ windows. Here, \f$n\f$
+ * is the number of vertices for which the lower bounds of the metric on the distances from both ends add up to less
+ * than the length of the path. For a metric with points, these bounds are derived from distances in space. In the worst
+ * case, the number of windows is \cgalBigO{n^2}.
  *
  * The algorithm starts with a geodesic that is obtained by shortening an edge path. The edge path is first straightened
  * (`add_straightened_path()`), unless a visitor must observe the whole process. A lower-bound propagation from the
@@ -875,7 +875,7 @@ Computed_output<Form, Shortest_path_report> compute_shortest_path_between(
 /*!
  * \ingroup PkgFlipGeodesicsFunctions
  *
- * Computes a shortest path on the surface between two points, and returns whether it is confirmed to be shortest.
+ * Computes a shortest path on the surface between two points, and reports whether it is confirmed to be shortest.
  *
  * The guarantees and the algorithm are those of `add_shortest_path()`. A point that is not a vertex becomes one: the
  * faces that contain it are split in exact arithmetic, in constant time. The bound and the verdict therefore refer to

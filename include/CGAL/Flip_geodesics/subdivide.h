@@ -45,8 +45,8 @@ struct Subdivision_vertex
  * \ingroup PkgFlipGeodesicsSubdivision
  *
  * Represents a triangle mesh that subdivides the input mesh along edges of an intrinsic triangulation. Maps lead from
- * the elements of the subdivision back to the input mesh and to the triangulation. Such a mesh is constructed by
- * `common_subdivision()`, `insert_curves()` and `cut_along_curves()`.
+ * the elements of the subdivision back to the input mesh and to the triangulation. `common_subdivision()`,
+ * `insert_curves()` and `cut_along_curves()` return objects of this class.
  *
  * Each face lies in one face of the input. The vertices of the triangulation come first, in the order of their indices.
  * They are followed by the crossings of intrinsic edges with input edges, then by the midpoints of split edges (see
@@ -61,8 +61,8 @@ struct Subdivision_vertex
  * share all three vertices or two edges of the input mesh share both end points. A mesh with such edges cannot be
  * stored in a file that lists points and faces.
  *
- * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`. The triangulation must outlive the subdivision, and
- *         its edges must not be flipped while the subdivision is used
+ * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`. The triangulation and the input mesh must outlive
+ *         the subdivision, and edges must not be flipped while the subdivision is used
  * \tparam OutputMesh a model of `MutableFaceGraph` with dynamic properties and a vertex point property, for instance
  *         `CGAL::Surface_mesh<Point_3>`
  */
@@ -141,10 +141,10 @@ public:
   /// triangulation. Such a face is represented by its lowest-numbered halfedge, of type `Halfedge_index`.
   ///
   /// The value type of `out` must be constructible from that of `in`. Values that are interpolated or averaged must
-  /// support sums and products with `double`.
+  /// support addition, and multiplication by a `double` on the right.
   ///
-  /// The functions take time linear in the size of the mesh. Functions that average values, however, take
-  /// \cgalBigO{n \log n} time, where \f$n\f$ is the number of faces of the mesh.
+  /// Functions that average values take \cgalBigO{n \log n} time, where \f$n\f$ is the number of faces of the
+  /// subdivision. The other functions take linear time.
   /// @{
 
   /// Interpolates values of input vertices linearly in the faces of the input. The keys of `in` have the
@@ -183,7 +183,7 @@ public:
   }
 
   /// Copies vertex values of the subdivision to those vertices of the triangulation that are vertices of the
-  /// subdivision.
+  /// subdivision. If a cut has duplicated a vertex, the value of one of its copies is used.
   template <class VertexMap, class IntrinsicMap>
   void restrict_to_intrinsic(VertexMap in, IntrinsicMap out) const
   {
@@ -591,7 +591,7 @@ auto subdivide_along_curves(const Network& network, const typename Network::Tria
  * maps back to the input mesh and to the triangulation.
  *
  * A function that is linear in each face of the input mesh, or in each face of the intrinsic triangulation, is also
- * linear in each face of the subdivision. Such a function can therefore be transferred to the subdivision exactly.
+ * linear in each face of the subdivision.
  *
  * \param triangulation a model of `IntrinsicTriangulationOfMesh`, constructed from `mesh`
  * \param mesh the input mesh
@@ -618,8 +618,8 @@ auto common_subdivision(const Triangulation& triangulation, const typename Trian
 /*!
  * \ingroup PkgFlipGeodesicsSubdivision
  *
- * Inserts the curves of a network into the input mesh as chains of edges. Faces that curves cross are split; all other
- * faces are kept.
+ * Inserts the curves of a network into the input mesh as chains of edges. Only faces that curves cross and faces beside
+ * split edges are divided.
  *
  * `Surface_subdivision::edge_is_constrained_map()` marks the edges of the curves. Overlapping parts of curves share
  * edges. Edges that would have the same two end points are split at their midpoints. Such edges occur only if two faces

@@ -50,8 +50,8 @@ namespace CGAL::Flip_geodesics {
  * Geodesic_tracer<Triangulation>(triangulation).trace(source, Surface_direction{logarithm.halfedge(), p.angle},
  *                                             p.radius, CGAL::Emptyset_iterator()); \endcode
  *
- * The geodesic traced by this code ends at the target, unless the shortest path bends at a vertex: a straightest
- * geodesic never bends.
+ * The geodesic traced by this code ends at the target up to rounding errors, unless the shortest path bends at a
+ * vertex: a straightest geodesic never bends.
  *
  * A `Geodesic_distance_field` finds the edges that the shortest path crosses. The faces between these edges are
  * unfolded into a plane, and the unfolded target gives the result. The error of the result is therefore a few rounding
@@ -96,6 +96,7 @@ public:
    *   \cgalParamNEnd
    * \cgalNamedParamsEnd
    *
+   * \throws Vertex_out_of_range_error if `source` is a vertex that does not belong to the mesh or is isolated
    * \throws Invalid_location_error if `source` is not a point of the surface
    * \throws Invalid_coordinate_error as `Geodesic_distance_field::compute()` does
    * \throws Degenerate_face_error as `Geodesic_distance_field::compute()` does
@@ -138,7 +139,7 @@ public:
    * first bend at the same vertex therefore have the same angle.
    *
    * \param point a vertex of the input, as a `Vertex_index`, or a point of any type that `surface_location()` accepts
-   * \throws Vertex_out_of_range_error if `point` is not the index of a vertex of the input
+   * \throws Vertex_out_of_range_error if `point` is a vertex that does not belong to the mesh
    * \throws Invalid_location_error if `point` is not a point of the surface
    *
    * Complexity: linear in the number of edges that the path crosses and in the number of windows on the sides of the
@@ -387,7 +388,7 @@ private:
  *
  * Let `p` be the coordinates of a target. The call
  * `trace_geodesic(mesh, source, std::pair(result.halfedge(), p.angle), p.radius, out)` traces a geodesic that ends at
- * this target, unless the shortest path to the target bends at a vertex.
+ * this target up to rounding errors, unless the shortest path to the target bends at a vertex.
  *
  * \param mesh a triangle mesh
  * \param source a vertex, a `CGAL::Polygon_mesh_processing::Face_location` or a point in space, as for
@@ -404,7 +405,8 @@ private:
  * \throws Invalid_mesh_error as `Geodesic_distance_field::compute()` does
  *
  * Complexity: that of `Geodesic_distance_field::compute()`, plus that of `Logarithmic_map::operator()()` for each
- * target that is not given as a vertex. The time for all targets given as vertices does not exceed that of `compute()`.
+ * target that is not given as a vertex. All targets given as vertices together take time linear in their number and in
+ * the number of windows of the distance field.
  *
  * \sa `Logarithmic_map`
  */
