@@ -107,7 +107,7 @@ template <class Exception, class... Parts>
 /// - A face is not a triangle, an edge does not belong to any face, or a halfedge has no next halfedge.
 /// - A `Surface_mesh` contains removed vertices or edges.
 /// - There are more elements than 32-bit indices can number.
-/// - No triangle remains after the repair of a polygon soup.
+/// - A polygon soup cannot be repaired, for example because no triangle remains.
 ///
 /// The exception is also thrown if several umbrellas meet at a vertex although a function requires a single one, and if
 /// handle and tunnel loops are requested of a surface that does not bound a solid.

@@ -175,14 +175,13 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  * \ingroup PkgFlipGeodesicsSubdivision
  *
  * Inserts curves into a mesh as chains of edges, in place. The faces that curves cross, and the faces beside split
- * edges, are divided; all other faces are kept. The curves are not shortened. Optionally, the edges of the curves are
- * marked, and each face is labeled with its region, that is, with the component into which the marked edges divide the
- * surface.
+ * edges, are divided. The curves are not shortened. Optionally, the edges of the curves are marked, and each face is
+ * labeled with its region. The regions are the components into which the marked edges divide the surface.
  *
  * A curve can be the output of a function of this package, or a polyline drawn by a user. A curve can be open or
  * closed; the last point of a closed curve must repeat the first. Curves are allowed to cross themselves and one
- * another, to lie on edges, to pass through vertices, and to overlap. Each crossing inside a face becomes
- * a vertex. Crossings are computed exactly, by a constrained Delaunay triangulation in the plane of each face.
+ * another, to lie on edges, to pass through vertices, and to overlap. Each crossing inside a face becomes a vertex.
+ * Crossings are computed exactly, by a constrained Delaunay triangulation in the plane of each face.
  *
  * The vertices of the mesh, and the edges and faces that no curve divides, are kept with their points and properties.
  * One part of a divided face or split edge keeps the descriptor of this face or edge; the other parts are new.
@@ -227,9 +226,8 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  *     \cgalParamDefault{no map}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{face_patch_map}
- *     \cgalParamDescription{a property map that receives the number of the region of each face. Regions are the
- *       connected components into which the marked edges divide the faces. They are numbered from 0 in the order of
- *       their first faces}
+ *     \cgalParamDescription{a property map that receives the number of the region of each face. Regions are numbered
+ *       from 0 in the order of their first faces}
  *     \cgalParamType{a model of `WritablePropertyMap` with `boost::graph_traits<TriangleMesh>::%face_descriptor` as key
  *       and an integer as value type}
  *     \cgalParamDefault{no map}
@@ -241,8 +239,8 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  *     \cgalParamDefault{`Default_curve_insertion_visitor<TriangleMesh>`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{snapping_tolerance}
- *     \cgalParamDescription{the threshold up to which a barycentric coordinate counts as zero, so that the point is
- *       moved to an edge or a vertex; for points in space, the threshold is always 10<sup>-9</sup>}
+ *     \cgalParamDescription{the threshold up to which a barycentric coordinate counts as zero. For points in space,
+ *       the threshold is always 10<sup>-9</sup>. The value also determines which points are merged, as described above}
  *     \cgalParamType{a number, at least 0 and below 1/3}
  *     \cgalParamDefault{10<sup>-12</sup>}
  *   \cgalParamNEnd
@@ -266,8 +264,8 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  *            `elements()` returns the position of the curve and, if it has points, the position of the second of these
  *            points in the curve
  * \exception Invalid_mesh_error if a face that contains a point or a segment of a curve, or a face beside a split edge,
- *            is not a triangle. For a point or a segment on the border of several faces, at least one of these faces is
- *            checked. If points in space are given, also if a face in which they are searched for is not a triangle. If
+ *            is not a triangle. If a point or a segment lies on the border of several faces, at least one of these
+ *            faces is checked. If points in space are given, also if a face in which they are searched for is not a triangle. If
  *            vertices, `Surface_location`s or `Surface_point`s are given, also if the mesh is a `Surface_mesh` that
  *            contains removed vertices or edges
  * \exception Invalid_coordinate_error if a corner of such a face has a coordinate that is not finite; `elements()`

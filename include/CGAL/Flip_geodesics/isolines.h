@@ -109,7 +109,7 @@ inline std::vector<double> sorted_levels(const std::vector<double>& levels)
  *   distance exceeds the level plus \f$t\f$ on the right. A part of the region on either side can be missed only if the
  *   distance differs from the level by at most \f$t\f$ everywhere in this part.
  *
- * Faces that may contain points at a level are divided until their parts are as small as the tolerance. The bounds hold
+ * Faces that can contain points at a level are divided until their parts are as small as the tolerance. The bounds hold
  * because distances are 1-Lipschitz. All points at which an isoline crosses edges of the mesh are kept, and each of
  * them is computed only once. Inside faces, only as many points are kept as the tolerance requires, and their number
  * grows like the inverse square root of the tolerance. All points are kept at sharp bends, where parts of one isoline
@@ -287,7 +287,7 @@ struct Voronoi_boundary : Located_polyline<TriangleMesh, Point>
  * A boundary is closed, or ends at junctions of three regions or on the border of the mesh. A point at which more than
  * three regions meet is represented by several junctions, which are no farther apart than the tolerance. Except near
  * junctions, the vertices of a boundary lie on the true boundary up to rounding errors. Junctions and the vertices next
- * to them may deviate from their true positions by a few hundredths of the tolerance. Between its vertices, a boundary
+ * to them can deviate from their true positions by a few hundredths of the tolerance. Between its vertices, a boundary
  * is nowhere farther than the tolerance from the true boundary. As with `isolines()`, the number of vertices inside
  * faces grows like the inverse square root of the tolerance. Points that no source reaches form a region with the
  * source `Voronoi_boundary::none`.

@@ -93,8 +93,8 @@ struct Shortest_path_result
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Computes lower bounds on the distances on a surface between any two vertices of a component. The bounds are derived
- * from landmarks: vertices that are far from one another, or that the caller has chosen.
+ * Computes lower bounds on the geodesic distance between any two vertices of a component. The bounds are derived from
+ * landmarks: vertices that are far from one another, or that the caller has chosen.
  *
  * A lower-bound propagation from each landmark assigns to each vertex a value close to its distance from the landmark.
  * The difference of the values of two vertices is a lower bound on the distance between them \cgalCite{GH05}. Landmarks
@@ -102,9 +102,9 @@ struct Shortest_path_result
  * can enter. The class `Landmark_distances` serves the same purpose for paths along edges.
  *
  * Like `Shortest_path_report::lower_bound`, the bounds hold for the mesh with its coordinates taken as given, and take
- * rounding errors into account. Each component has its own landmarks, at most `number_of_landmarks()`. The bounds take
- * two bytes per landmark and vertex, and can be read by several threads concurrently. A propagation takes about 400
- * bytes per triangle while it runs.
+ * rounding errors into account. Each component has its own landmarks, at most `number_of_landmarks()`. The data take
+ * `2 * number_of_landmarks()` bytes per vertex, and can be read by several threads concurrently. A propagation takes
+ * about 400 bytes per triangle while it runs.
  */
 class Geodesic_landmarks
 {
@@ -113,8 +113,8 @@ public:
   static constexpr std::size_t default_number = 8;
 
   /*!
-   * Chooses the landmarks and computes the bounds. Each landmark is the vertex of its component that is farthest, along
-   * edges, from the previous landmarks.
+   * Chooses the landmarks and computes the bounds. Each landmark after the first is the vertex of its component that is
+   * farthest, along edges, from the previous landmarks.
    *
    * \tparam ConcurrencyTag `CGAL::Sequential_tag`, or `CGAL::Parallel_tag` if TBB is linked. With `Parallel_tag`,
    *         several propagations run concurrently; the results are the same
@@ -696,8 +696,9 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
  * `Verdict::PROVEN` geodesic and its length exceeds the bound by at most the fraction
  * `Shortest_path_report::rounding_tolerance()` of the length.
  *
- * The path cannot be confirmed if the search encounters a degenerate edge or is aborted. If coordinates or lengths of
- * the mesh had to be rounded, the path is not confirmed either, since the bound then holds for the rounded mesh.
+ * If the search encounters a degenerate edge or is aborted, the bound is often too small to confirm the path. If
+ * coordinates or lengths of the mesh had to be rounded, the path is never confirmed, since the bound then holds for the
+ * rounded mesh.
  *
  * \param network an empty network in a triangulation without flipped edges
  * \param search a `Shortest_edge_path` over the same triangulation; `Search_method::LOOK_BACK` is fastest

@@ -95,8 +95,8 @@ public:
   /// Returns the origin of a vertex.
   Subdivision_vertex vertex_origin(vertex_descriptor v) const { return get(m_vertex_origin, v); }
 
-  /// Returns the lowest-numbered halfedge of the input face that contains face `f`. In the input mesh, this halfedge is
-  /// `triangulation.input().halfedge(input_face(f))`, and the input face is the face of that halfedge.
+  /// Returns the lowest-numbered halfedge of the input face that contains face `f`. The corresponding halfedge of the
+  /// input mesh is `triangulation.input().halfedge(input_face(f))`.
   Input_halfedge_index input_face(face_descriptor f) const { return get(m_faces, f).input; }
 
   /// Returns the lowest-numbered halfedge of the intrinsic face that contains face `f`, or `null_index` if the

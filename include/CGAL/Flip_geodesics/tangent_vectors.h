@@ -177,9 +177,10 @@ public:
     return {p.radius * std::cos(angle), p.radius * std::sin(angle)};
   }
 
-  /// Converts Cartesian coordinates in the plane of `in_plane()` to polar coordinates. This function is the inverse of
-  /// `in_plane()`. At a border vertex whose angles sum to more than \f$2\pi\f$, several angles can correspond to the
-  /// same vector. The function returns the angle that is nearest to the middle of the angular range of the surface.
+  /// Converts Cartesian coordinates in the plane of `in_plane()` to polar coordinates. Unless the source is a border
+  /// vertex whose angles sum to more than \f$2\pi\f$, this function is the inverse of `in_plane()`. At such a vertex,
+  /// several angles can correspond to the same vector. The function then returns the angle that is nearest to the
+  /// middle of the angular range of the surface.
   Polar_coordinates from_plane(const std::array<double, 2>& vector) const
   {
     const double angle = std::atan2(vector[1], vector[0]) / m_frame.stretch();
