@@ -266,10 +266,10 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  * \exception Invalid_mesh_error if a face that contains a point or a segment of a curve, or a face beside a split edge,
  *            is not a triangle. If a point or a segment lies on the border of several faces, at least one of these
  *            faces is checked. If points in space are given, also if a face in which they are searched for is not a
- *            triangle. If vertices, `Surface_location`s or `Surface_point`s are given, also if the mesh is a
- *            `Surface_mesh` that contains removed vertices or edges
- * \exception Invalid_coordinate_error if a corner of such a face has a coordinate that is not finite; `elements()`
- *            returns the position of the vertex in the range of vertices
+ *            triangle. The exception is also thrown if the mesh is a `Surface_mesh` that contains removed vertices or
+ *            edges, and a point is given as a vertex, a `Surface_location` or a `Surface_point`
+ * \exception Invalid_coordinate_error if a corner of such a face has a coordinate that is not finite. In this case,
+ *            `elements()` returns the position of the corner in the range of vertices
  * \exception Invalid_parameter_error if the snapping tolerance is out of range
  *
  * Complexity: \cgalBigO{n \log n} for \f$n\f$ points and crossings in total if each face contains few of them. The time
