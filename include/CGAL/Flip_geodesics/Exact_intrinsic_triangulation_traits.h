@@ -202,8 +202,7 @@ public:
     }
   };
 
-  /// Constructs a face from vectors. The library uses this functor only for rounded numbers and intervals. \pre `NT` is
-  /// not exact
+  /// Constructs a face from vectors. \pre `NT` is not exact
   class Construct_face_2
   {
   public:

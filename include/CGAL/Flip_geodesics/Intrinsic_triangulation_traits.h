@@ -321,8 +321,7 @@ public:
   };
 
   /// Determines whether a vector is so inaccurate that its face must be recomputed. The result is always `false`, since
-  /// these traits do not bound errors. Instead, `shorten()` detects inaccurate faces when it measures the finished
-  /// curves.
+  /// these traits do not bound errors.
   class Is_inaccurate
   {
   public:

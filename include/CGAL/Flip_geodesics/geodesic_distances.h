@@ -288,9 +288,8 @@ Distances_report make_shortest(Geodesic_tree<Triangulation>& tree, const Window_
  *
  * The distances are computed exactly up to rounding errors by a `Geodesic_distance_field` or, if the field cannot
  * confirm them, by a search with outward-rounded bounds. Paths of the tree that are longer than these distances are
- * removed, and shortest paths to the same vertices are inserted by flips, beginning with the nearest vertex. The
- * inserted paths do not cross other paths of the tree, since shortest paths from one vertex never cross. Vertices that
- * lie within `Geodesic_tree::max_distance()` but are missing from the tree are added.
+ * removed, and shortest paths to the same vertices are inserted by flips. Vertices that lie within
+ * `Geodesic_tree::max_distance()` but are missing from the tree are added.
  *
  * \param tree a tree whose growth was not stopped by a visitor
  * \param np an optional sequence of named parameters among those listed below
@@ -792,8 +791,7 @@ Computed_values<Polar_coordinates> compute_logarithmic_map(const TriangleMesh& m
  *
  * Computes the distance of every vertex from one source or from the nearest of several sources.
  *
- * Sources are vertices, points anywhere on the surface, and curves; different kinds can be mixed. The distances are
- * computed with a `Geodesic_distance_field`. Two fallbacks handle difficult input:
+ * The distances are computed with a `Geodesic_distance_field`. Two fallbacks handle difficult input:
  * - A search with outward-rounded bounds, provided that all sources are vertices. It is run if the field encounters a
  *   face so close to degenerate that rays can be lost in it, or if rounding errors may have changed a distance by more
  *   than 1e-10 of its value.

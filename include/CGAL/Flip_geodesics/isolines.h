@@ -110,11 +110,8 @@ inline std::vector<double> sorted_levels(const std::vector<double>& levels)
  *   distance differs from the level by at most \f$t\f$ everywhere in this part.
  *
  * Faces that can contain points at a level are divided until their parts are as small as the tolerance. The bounds hold
- * because distances are 1-Lipschitz. All points at which an isoline crosses edges of the mesh are kept, and each of
- * them is computed only once. Inside faces, only as many points are kept as the tolerance requires, and their number
- * grows like the inverse square root of the tolerance. All points are kept at sharp bends, where parts of one isoline
- * come within three tolerances of one another, and where levels are so close that chords of two isolines might
- * intersect.
+ * because distances are 1-Lipschitz. An isoline has a vertex at each point at which it crosses an edge of the mesh.
+ * Inside faces, the number of vertices grows like the inverse square root of the tolerance.
  *
  * A level may equal the distance at a vertex, or the constant distance in a whole region; points whose distance equals
  * the level count as farther. If the field was computed up to a limit, points with infinite distance count as farther
@@ -150,9 +147,9 @@ inline std::vector<double> sorted_levels(const std::vector<double>& levels)
  * \throws Invalid_coordinate_error if a coordinate is not finite or is too large
  *
  * Complexity: the field is evaluated once per vertex, and about twenty times for each piece of length \f$t\f$ of an
- * isoline. An isoline has one point for each edge that it crosses. In addition, a piece of length \f$\ell\f$ with a
- * radius of curvature \f$r\f$ has \cgalBigO{\ell / \sqrt{r t}} points inside faces. A mesh other than a `Surface_mesh`
- * is indexed first, in \cgalBigO{n \log n} time, where \f$n\f$ is the number of faces.
+ * isoline. Inside faces, a piece of length \f$\ell\f$ with a radius of curvature \f$r\f$ has
+ * \cgalBigO{\ell / \sqrt{r t}} vertices. A mesh other than a `Surface_mesh` is indexed first, in \cgalBigO{n \log n}
+ * time, where \f$n\f$ is the number of faces.
  *
  * \sa `voronoi_boundaries()`
  */
@@ -300,8 +297,8 @@ struct Voronoi_boundary : Located_polyline<TriangleMesh, Point>
  * a field does not return the distance of the second nearest source. These faces are therefore divided until no side of
  * a part is longer than \f$\sqrt{t s}\f$. Here, \f$t\f$ is the tolerance, and \f$s\f$ is the square root of the area of
  * the surface. Around sources without an offset, faces are divided until their parts are as small as the tolerance. A
- * region, or an arm of one, can be missed only if it is narrower than \f$\sqrt{t s}\f$ and does not contain a source
- * without an offset.
+ * region, or a part of a region, can be missed only if it is narrower than \f$\sqrt{t s}\f$ and does not contain a
+ * source without an offset.
  *
  * \param mesh a triangle mesh; distances on it are those of the surface that its points in space define
  * \param field a model of `GeodesicDistanceField`; a `Geodesic_distance_field` must have the extent `EVERYWHERE`

@@ -756,8 +756,7 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
  * target provides, for each edge, a lower bound on the remaining length of paths that cross the edge. Windows are then
  * propagated over the mesh as far as a shorter path could reach \cgalCite{MMP87}, \cgalCite{CH90}, \cgalCite{XW09}. If
  * the windows reveal a shorter path, this path replaces the geodesic and is inserted by flipping the edges that it
- * crosses. If degenerate faces of the mesh prevent a confirmation, the paths of two trees of geodesics are tried as
- * well.
+ * crosses.
  *
  * \sa `shortest_path()`
  */
