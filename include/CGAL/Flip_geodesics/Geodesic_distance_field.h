@@ -196,7 +196,8 @@ public:
    * \param point a vertex of the input, as a `Vertex_index`, or a point of any type that `surface_location()` accepts
    * \param offset the number that is added to all distances from this source
    * \throws Invalid_parameter_error if the field has been computed, that is, if `reach()` is greater than 0
-   * \throws Vertex_out_of_range_error if `point` is a vertex that does not belong to the mesh
+   * \throws Vertex_out_of_range_error if `point` is a vertex that does not belong to the mesh, or an isolated vertex
+   *         that is not given as a `Vertex_index`
    * \throws Invalid_location_error if `point` is not a point of the surface
    * \throws Invalid_coordinate_error if the offset is negative, not finite, or more than about 1e10 times the length of
    *         the sides of a face that contains the point. With a larger offset, rounding errors of distances would
@@ -365,7 +366,8 @@ public:
    * Returns the distance of a point from its nearest source, and the number of this source.
    *
    * \param point a vertex of the input, as a `Vertex_index`, or a point of any type that `surface_location()` accepts
-   * \throws Vertex_out_of_range_error if `point` is a vertex that does not belong to the mesh
+   * \throws Vertex_out_of_range_error if `point` is a vertex that does not belong to the mesh, or an isolated vertex
+   *         that is not given as a `Vertex_index`
    * \throws Invalid_location_error if `point` is not a point of the surface
    * \throws Invalid_parameter_error if the extent is `VERTICES_ONLY` and the point is not a vertex, or if `compute()`
    *         has not been called

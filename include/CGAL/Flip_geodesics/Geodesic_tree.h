@@ -146,7 +146,8 @@ public:
    * \cgalNamedParamsEnd
    *
    * \return a report on the growth
-   * \throws Vertex_out_of_range_error if `source` is a vertex that does not belong to the triangulation
+   * \throws Vertex_out_of_range_error if `source` is a vertex that does not belong to the triangulation, or an isolated
+   *         vertex that is not given as a `Vertex_index`
    * \throws Invalid_location_error if `source` is not a point of the surface
    * \throws Insertion_error as `Intrinsic_triangulation::insert()` does
    * \throws Invalid_parameter_error if `max_distance` is negative or not a number

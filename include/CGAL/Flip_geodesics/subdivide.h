@@ -618,8 +618,8 @@ auto common_subdivision(const Triangulation& triangulation, const typename Trian
 /*!
  * \ingroup PkgFlipGeodesicsSubdivision
  *
- * Inserts the curves of a network into the input mesh as chains of edges. Only faces that curves cross and faces beside
- * split edges are divided.
+ * Inserts the curves of a network into the input mesh as chains of edges. Only faces through which curves lead, and
+ * faces beside split edges, are divided.
  *
  * `Surface_subdivision::edge_is_constrained_map()` marks the edges of the curves. Overlapping parts of curves share
  * edges. Edges that would have the same two end points are split at their midpoints. Such edges occur only if two faces
@@ -645,10 +645,10 @@ auto insert_curves(const Network& network, const typename Network::Triangulation
  * each edge of a curve is doubled unless the edge is on the border, and a vertex is duplicated if the cuts separate the
  * faces around the vertex.
  *
- * Both copies of an edge are marked as constrained. An open curve inside the surface becomes a slit, whose ends are
- * single vertices. A closed curve becomes two borders, and a curve from border to border becomes two chains of border
- * edges. If a slit consists of one edge, the two sides of the slit would have both end points in common; each side
- * therefore receives a vertex at its midpoint.
+ * Both copies of an edge are marked as constrained. If no curve meets itself or another curve, each open curve inside
+ * the surface becomes a slit, whose ends are single vertices. Each closed curve then becomes two borders, and each
+ * curve from border to border becomes two chains of border edges. If a slit consists of one edge, its two sides would
+ * have both end points in common; each side therefore receives a vertex at its midpoint.
  *
  * \param network, mesh as for `insert_curves()`
  * \return a `Surface_subdivision`, as for `common_subdivision()`
@@ -803,9 +803,6 @@ Surface_location location_on_edge(const Triangulation& triangulation, Halfedge_i
  * Returns the rounded input location of a point in the intrinsic face on the left of `h`. The point is given by
  * barycentric coordinates, which belong, in this order, to the tail of `h`, to the head of `h`, and to the third vertex
  * of the face.
- *
- * Every input face that meets the intrinsic face also meets a side of the intrinsic face. The input face that contains
- * the point is therefore found among the input faces along the three sides.
  *
  * Complexity: linear in the number of input edges that the sides cross.
  * \pre `h` is not on the border, and the coordinates are not negative and sum to one

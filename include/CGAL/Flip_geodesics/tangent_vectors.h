@@ -139,7 +139,8 @@ public:
    * first bend at the same vertex therefore have the same angle.
    *
    * \param point a vertex of the input, as a `Vertex_index`, or a point of any type that `surface_location()` accepts
-   * \throws Vertex_out_of_range_error if `point` is a vertex that does not belong to the mesh
+   * \throws Vertex_out_of_range_error if `point` is a vertex that does not belong to the mesh, or an isolated vertex
+   *         that is not given as a `Vertex_index`
    * \throws Invalid_location_error if `point` is not a point of the surface
    *
    * Complexity: linear in the number of edges that the path crosses and in the number of windows on the sides of the
