@@ -230,7 +230,7 @@ public:
    * `Curve_extractor::surface_locations()` returns the locations of a curve of a network.
    *
    * \param locations a range of points of the surface, of any type that `surface_location()` accepts. Consecutive
-   *        points must lie in a common face, where the border of the face counts as a part of the face
+   *        points must lie in a common face or on its boundary
    * \param offset the number that is added to all distances from this source
    * \throws Invalid_curve_error if the range is empty, or two consecutive locations do not lie in a common face
    * \throws Invalid_parameter_error as `add_source()` does

@@ -297,7 +297,7 @@ Distances_report make_shortest(Geodesic_tree<Triangulation>& tree, const Window_
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{search_limit}
  *     \cgalParamDescription{the number of windows after which the field is aborted; in this case, the tree remains
- *       unchanged. This number also limits the search}
+ *       unchanged. This number also limits the search with outward-rounded bounds}
  *     \cgalParamType{`Window_limit`}
  *     \cgalParamDefault{`Window_limit()`}
  *   \cgalParamNEnd

@@ -198,10 +198,10 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  * length of an edge, let \f$m\f$ be the largest absolute value of a coordinate of its ends, and let \f$s\f$ be the
  * snapping tolerance given by the named parameter. Two points on the edge are close to each other if their distance is
  * at most \f$s l + 2^{-48} m\f$. In a nondegenerate face, the same bound applies, where \f$l\f$ is the length of the
- * longest side and \f$m\f$ is the largest absolute value of a coordinate of the corners. A point inside a face that is
- * close to a side is moved to this side, and a segment that passes close to a vertex is led through the vertex. If
- * \f$s\f$ is zero, only coincident points are merged, and faces of the result can be degenerate unless the kernel has
- * exact constructions.
+ * longest side and \f$m\f$ is the largest absolute value of a coordinate of the corners. A point inside a face is moved
+ * to a side if its distance from this side is at most this bound. Likewise, a segment is led through each vertex whose
+ * distance from the segment is at most this bound. If \f$s\f$ is zero, only coincident points are merged, and faces of
+ * the result can be degenerate unless the kernel has exact constructions.
  *
  * The mesh is unchanged if an exception is thrown, unless memory runs out or the visitor throws the exception.
  *
