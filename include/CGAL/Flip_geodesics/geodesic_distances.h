@@ -839,7 +839,7 @@ Computed_values<Polar_coordinates> compute_logarithmic_map(const TriangleMesh& m
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \return a report on the distances: the number of vertices other than sources whose distance is finite, and whether
+ * \return a report on the distances: the number of vertices other than sources that the search has reached, and whether
  *         all distances are confirmed
  *
  * \throws Vertex_out_of_range_error if a vertex does not belong to the mesh
@@ -893,7 +893,7 @@ Distances_report geodesic_distances(const TriangleMesh& mesh, const Sources& sou
  * \param coordinates a model of `WritablePropertyMap` with the vertices of the mesh as keys and `Polar_coordinates` as
  *        values
  * \param np the named parameters of `geodesic_distances()`, except `nearest_source_map`
- * \return a report that contains the number of vertices to which a path exists, and states whether the paths are
+ * \return a report: the number of vertices other than the source that the search has reached, and whether the paths are
  *         confirmed to be shortest
  * \throws Vertex_out_of_range_error if `source` is not a vertex of the mesh
  * \throws Degenerate_face_error as `geodesic_path()` does
