@@ -399,7 +399,8 @@ Curve_index add_curve_through(Network& network, const LocationRange& locations, 
  *
  * The ends of the legs become vertices, at which the curve is fixed. The legs become edges of the triangulation; for
  * this purpose, the edges that the legs cross are flipped. A leg that is not a geodesic is replaced by a geodesic in
- * its homotopy class.
+ * its homotopy class. A leg that would cross a curve of the network is replaced by an edge path near the leg;
+ * `order_overlapping_curves()` detects whether this path crosses the curve.
  *
  * \param network the network
  * \param legs the legs. Each leg must start at the end of the previous leg. Any two consecutive points of a leg must
@@ -410,9 +411,9 @@ Curve_index add_curve_through(Network& network, const LocationRange& locations, 
  * \pre in the faces through which the legs pass, no edge of the triangulation crosses an input edge
  * \throws Invalid_curve_error if a leg has fewer than two points, if two consecutive points do not lie in a common
  *         face, or if all legs are points
- * \throws Crossing_curves_error if legs cross each other or a curve of the network between vertices; `elements()`
- *         returns the ends of the crossed edge. In this case no curve is added, but points may have become vertices,
- *         and edges may have been flipped
+ * \throws Crossing_curves_error if legs cross each other between vertices; `elements()` returns the ends of the
+ *         crossed edge. In this case no curve is added, but points may have become vertices, and edges may have been
+ *         flipped
  * \throws Ambiguous_order_error if the search for the order of overlapping segments is aborted
  * \throws Invalid_location_error as `Edge_path_network::insert()` does
  * \throws Insertion_error as `Edge_path_network::insert()` does

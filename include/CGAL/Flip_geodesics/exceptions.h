@@ -273,8 +273,8 @@ public:
 /// Is thrown if input curves cross in every order of their overlapping segments, or if curves would cross after their
 /// nodes were freed. In both cases, `elements()` returns a vertex at which the curves cross.
 ///
-/// The exception is also thrown if a segment of a polyline, or a geodesic segment of a curve that is being added,
-/// crosses an edge of a curve. In this case, `elements()` returns the two end points of the edge.
+/// The exception is also thrown if a segment of a polyline crosses the polyline itself or a curve, or if two geodesic
+/// segments of a curve to be added cross. In this case, `elements()` returns the two end points of a crossed edge.
 class Crossing_curves_error : public Error
 {
 public:
