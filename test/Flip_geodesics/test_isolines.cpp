@@ -501,4 +501,13 @@ BOOST_AUTO_TEST_CASE(numbers_that_cannot_be)
   BOOST_CHECK_THROW(isolines(square, of_square, std::vector<double>{1}, 0.1), FG::Invalid_mesh_error);
   BOOST_CHECK_THROW(boundaries(square, of_square, 0.1), FG::Invalid_mesh_error);
   BOOST_TEST(isolines(Mesh(), field, std::vector<double>{1}, 0.1).empty());
+
+  using Triangulation = FG::Intrinsic_triangulation<Mesh>;
+  const Triangulation triangulation(mesh);
+  FG::Geodesic_distance_field<Triangulation> at_vertices(
+      triangulation, mesh, CGAL::parameters::extent(FG::Distance_field_extent::VERTICES_ONLY));
+  at_vertices.add_source(FG::Vertex_index(0));
+  at_vertices.compute();
+  BOOST_CHECK_THROW(isolines(mesh, at_vertices, std::vector<double>{1}, 0.1), FG::Invalid_parameter_error);
+  BOOST_CHECK_THROW(boundaries(mesh, at_vertices, 0.1), FG::Invalid_parameter_error);
 }

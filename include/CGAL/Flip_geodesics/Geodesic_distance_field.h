@@ -401,13 +401,12 @@ public:
   }
 
   /// Returns whether all points of a face that have a finite distance are known to have the same nearest source. The
-  /// result is `false` unless the field is complete. \pre the extent is `EVERYWHERE`
+  /// result is `false` unless the field is complete and has the extent `EVERYWHERE`.
   ///
   /// Complexity: linear in the number of windows on the sides of the face.
   bool has_one_source(face_descriptor face) const
   {
-    CGAL_precondition(m_extent == Distance_field_extent::EVERYWHERE);
-    return m_reach == std::numeric_limits<double>::infinity() &&
+    return m_extent == Distance_field_extent::EVERYWHERE && m_reach == std::numeric_limits<double>::infinity() &&
            query().has_one_source(m_triangulation.input().index(internal::graph_halfedge(face, m_mesh)));
   }
 

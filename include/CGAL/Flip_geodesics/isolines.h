@@ -118,7 +118,7 @@ inline std::vector<double> sorted_levels(const std::vector<double>& levels)
  * as well. A face whose three vertices have infinite distances is assumed to contain no point with a finite distance.
  *
  * \param mesh a triangle mesh; distances on it are those of the surface that its points in space define
- * \param field a model of `GeodesicDistanceField`; a `Geodesic_distance_field` must have the extent `EVERYWHERE`
+ * \param field a model of `GeodesicDistanceField`
  * \param levels a range of numbers; a level that is not larger than the smallest distance has no isolines
  * \param out an output iterator that receives an `Isoline<TriangleMesh, Point>` for each component, in the order of the
  *        levels, where `Point` is the value type of the vertex point map
@@ -142,7 +142,8 @@ inline std::vector<double> sorted_levels(const std::vector<double>& levels)
  * \return the past-the-end output iterator
  * \throws Invalid_parameter_error if a level is not finite; if the tolerance is not positive, not finite, or less than
  *         1e-14 of a side of a face, or would require more parts of faces than 32-bit indices can number; if the field
- *         returns NaN; or if the field is a `Geodesic_distance_field` that has not been computed
+ *         returns NaN; or if the field is a `Geodesic_distance_field` that has not been computed, or that has the
+ *         extent `VERTICES_ONLY` and must be evaluated inside a face
  * \throws Invalid_mesh_error if a face is not a triangle
  * \throws Invalid_coordinate_error if a coordinate is not finite or is too large
  *
@@ -301,7 +302,7 @@ struct Voronoi_boundary : Located_polyline<TriangleMesh, Point>
  * source without an offset.
  *
  * \param mesh a triangle mesh; distances on it are those of the surface that its points in space define
- * \param field a model of `GeodesicDistanceField`; a `Geodesic_distance_field` must have the extent `EVERYWHERE`
+ * \param field a model of `GeodesicDistanceField`
  * \param out an output iterator that receives a `Voronoi_boundary<TriangleMesh, Point>` for each boundary, where
  *        `Point` is the value type of the vertex point map
  * \param tolerance a distance on the surface, in the unit of the coordinates
