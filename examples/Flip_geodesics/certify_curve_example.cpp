@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Reads a triangle mesh, computes the shortest path between points inside two of its faces by another package, and
-// proves that it is locally shortest.
+// Computes the shortest path between points inside two faces of a mesh by another package of CGAL, and proves that this
+// path is locally shortest.
 //
 //   certify_curve_example MESH
 
@@ -30,7 +30,7 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Search = CGAL::Surface_mesh_shortest_path<CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>>;
 using Crossing = std::pair<Mesh::Halfedge_index, double>;
 
-// What the path passes: vertices, places on edges, and at its ends places in faces.
+// The points of the path: vertices, points on edges and, as the ends of the path, points in faces.
 struct Places
 {
   void operator()(Mesh::Vertex_index v) { path.push_back(v); }
@@ -61,7 +61,7 @@ try {
     std::cout << " at vertex " << certificate.vertex << ", with a bend of " << certificate.bend << " radians\n";
     return EXIT_FAILURE;
   }
-  double farthest = 0; // of all places on edges, as the other package has rounded them
+  double farthest = 0; // the largest rounding error of the points on edges that the other package has computed
   for(std::size_t i = 1; i + 1 < places.path.size(); ++i)
     if(const Crossing* crossing = std::get_if<Crossing>(&places.path[i]))
       farthest = (std::max)(farthest, std::abs(crossing->second - certificate.places[i]));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The triangulation of the same surface that has a geodesic among its edges, as triples of vertices with edge lengths:
-// what a finite-element code needs to cut or constrain along the curve.
+// Writes a triangulation of the surface in which a geodesic runs along edges, as triples of vertices with edge lengths.
+// Finite-element programs can use it to cut the surface, or to impose constraints, along the curve.
 //
 //   conforming_triangulation_example MESH
 //

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The smoothest field of crosses that runs along a geodesic, as quad meshing and hatching want it.
+// Computes the smoothest cross field that is aligned with a geodesic, for example for quad meshing or hatching.
 //
 //   cross_field_example MESH SOURCE TARGET
 //
-// Writes cross_field.vtp, a cross at every vertex as two lines, and singular_faces.vtp, the corners of the triangles of
-// the triangulation around which the field turns.
+// Writes cross_field.vtp, with two lines that form a cross at every vertex, and singular_faces.vtp, the corners of the
+// singular faces of the triangulation.
 
 #include <CGAL/Flip_geodesics.h>
 #include <CGAL/Flip_geodesics/Direction_field.h>
@@ -34,8 +34,8 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Triangulation = FG::Intrinsic_triangulation<Mesh>;
 using Field = FG::Direction_field<Triangulation>;
 
-// A direction of the field at a vertex, in space: the angle is laid off, about the vertex normal, from where the
-// reference edge leaves the vertex.
+// Returns a direction of the field at a vertex, in space. Its angle is measured around the vertex normal, from the
+// direction in which the reference edge leaves the vertex.
 Kernel::Vector_3 direction(const Mesh& mesh, const Triangulation& triangulation, const Field& field,
                            Mesh::Vertex_index v, const Kernel::Vector_3& normal)
 {
@@ -66,7 +66,7 @@ try {
   FG::Edge_path_network<Triangulation> network(triangulation);
   network.add_curve(search(FG::Vertex_index(number(argv[2])), FG::Vertex_index(number(argv[3]))));
   FG::shorten(network);
-  FG::flip_to_delaunay(triangulation); // all edges but those of the path
+  FG::flip_to_delaunay(triangulation); // all edges except those of the path
   Field field(triangulation);
   field.align(network);
   field.compute();

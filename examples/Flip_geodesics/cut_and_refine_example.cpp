@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Refines a triangulation that has a geodesic among its edges, takes its common subdivision with the mesh, and cuts the
-// mesh open along the geodesic.
+// Cuts a mesh open along a geodesic. Then refines the triangulation that contains the geodesic as edges, and computes
+// the common subdivision of this triangulation and the mesh.
 //
 //   cut_and_refine_example MESH
 //

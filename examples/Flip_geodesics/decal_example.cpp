@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// A picture laid on a mesh like a decal, about the middle of a face.
+// Computes texture coordinates that place an image on a mesh like a decal, centered at the middle of a face.
 //
-//   decal_example MESH FACE SIZE [PICTURE]
+//   decal_example MESH FACE SIZE [IMAGE]
 //
-// Writes decal.obj with texture coordinates, and decal.glb for browsers and Blender, which shows the file PICTURE, PNG
-// or JPEG, where it lies beside it.
+// SIZE is the side length of the image on the surface. Writes decal.obj, and decal.glb for browsers and Blender, which
+// display the PNG or JPEG file IMAGE if it lies in the same folder as decal.glb.
 
 #include <CGAL/Flip_geodesics/IO/GLB.h>
 #include <CGAL/Flip_geodesics/IO/OBJ.h>
@@ -50,7 +50,8 @@ try {
   if(face >= mesh.number_of_faces())
     throw std::invalid_argument("the mesh has no such face");
 
-  // A corner is named by the halfedge that arrives at it. The picture's right side is along the face's halfedge.
+  // Texture coordinates of a corner are stored at the halfedge that ends at it. The image is oriented so that its
+  // direction to the right is that of the halfedge of the face.
   const Texture_map corners = mesh.add_property_map<Mesh::Halfedge_index, std::array<double, 2>>("h:texture").first;
   const std::pair middle(face, std::array<double, 3>{1.0 / 3, 1.0 / 3, 1.0 / 3});
   const std::pair right(mesh.halfedge(face), 0.0);

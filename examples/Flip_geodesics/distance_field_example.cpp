@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Exact distances from a vertex, a point inside a face and a curve along edges; shortest paths to the nearest of them,
-// isolines, and the boundaries between the regions of the three.
+// Computes exact distances from three sources: a vertex, a point inside a face, and a curve along an edge. Also
+// computes shortest paths to the nearest source, isolines, and the boundaries of the Voronoi diagram of the sources.
 //
 //   distance_field_example MESH
 //
@@ -58,7 +58,7 @@ try {
     const auto middle =
         surface_location(triangulation, mesh, std::make_pair(Mesh::Face_index(i), Weights{0.4, 0.3, 0.3}));
     const double distance = field.distance(middle);
-    farthest = (std::max)(farthest, distance < 1e300 ? distance : 0); // infinite on other components
+    farthest = (std::max)(farthest, distance < 1e300 ? distance : 0); // the distance is infinite on other components
     paths.emplace_back();
     field.path(middle, std::back_inserter(paths.back()));
   }

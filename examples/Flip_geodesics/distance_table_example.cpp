@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Tables of exact distances: of all vertices from the nearest of three sources, and between some points.
+// Computes exact distances: those of all vertices from the nearest of three sources, and those between five vertices.
 //
 //   distance_table_example MESH
 //

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Spreads geodesics over the processes of MPI, on one machine or on many. A process has a triangulation of its own; the
-// one of rank 0 hands out the paths, computes some itself, and writes the results, in order.
+// Computes geodesics by several MPI processes, on one or more machines. Each process has its own triangulation. The
+// process of rank 0 distributes the paths, computes some of them itself, and writes the results in order.
 //
 //   mpirun -n 4 distributed_paths_example PATHS RESULTS
 //
-// A line of PATHS is `MESH SOURCE TARGET`, a file and two vertices; paths of one mesh stand together. A line of RESULTS
-// is that of the path and its length, or what went wrong with it. A run that was cut short goes on, with however many
-// processes, where RESULTS ends. The file does not depend on the number of processes.
+// A line of PATHS has the form `MESH SOURCE TARGET`: a file and two vertices. Paths on the same mesh should be on
+// consecutive lines, since a process reads a mesh whenever the mesh differs from that of the previous path. A line of
+// RESULTS repeats the line of a path, followed by the length and the status of the path, or by an error message. An
+// interrupted run is continued at the end of RESULTS, with any number of processes. The results do not depend on the
+// number of processes.
 //
-// Ranks meet at rank 0 alone, once for eight paths, and it answers between two paths of its own: a thousand ranks are
-// limited by the time of eight paths over that of one. Each of them reads the mesh.
+// The other processes communicate only with rank 0, once for every eight paths. Rank 0 answers between two paths that
+// it computes itself, so it can limit the speed of a run with many processes.
 
 #include <CGAL/Flip_geodesics.h>
 
@@ -48,7 +50,7 @@ using Mesh = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_ker
 using Triangulation = FG::Intrinsic_triangulation<Mesh>;
 using Lines = std::vector<std::string>;
 
-// A mesh, and a triangulation of it whose flips are rolled back after each path.
+// A mesh and its triangulation, whose flips are rolled back after each path.
 class Surface
 {
 public:
@@ -77,7 +79,7 @@ public:
     m_triangulation->rollback();
     return report;
   } catch(...) {
-    m_search.reset(); // recreated for the next path, whatever state they are in
+    m_search.reset(); // both are constructed again for the next path
     m_triangulation.reset();
     throw;
   }
@@ -91,7 +93,7 @@ private:
   std::unique_ptr<Search> m_search;
 };
 
-// The line of a path with its result. Whatever goes wrong is a result.
+// Returns the line of a path with its result, which can be an error message.
 std::string solve(const std::string& path, std::unique_ptr<Surface>& surface)
 {
   std::ostringstream result;
@@ -114,7 +116,7 @@ std::string solve(const std::string& path, std::unique_ptr<Surface>& surface)
   return text;
 }
 
-// The lines that are not empty.
+// Returns the lines that are not empty.
 Lines read_lines(const std::string& file)
 {
   std::ifstream in(file);
@@ -127,7 +129,7 @@ Lines read_lines(const std::string& file)
   return lines;
 }
 
-// How many results are there already. A line that was not written to its end is cut off.
+// Returns the number of results that the file already contains. An incomplete last line is removed.
 std::size_t count_results(const std::string& file, const Lines& paths)
 {
   if(!std::filesystem::exists(file))
@@ -145,12 +147,12 @@ std::size_t count_results(const std::string& file, const Lines& paths)
   return count;
 }
 
-// Paths are handed out by eight; a rank requests the next eight before it computes those that it has.
+// Eight paths at a time are sent to a rank. It requests the next eight before it computes those that it has received.
 constexpr std::size_t PATHS_AT_ONCE = 8;
 constexpr int ASK = 0, HAND_OUT = 1, RESULT = 2;
-using Handful = std::pair<std::size_t, Lines>; // the index of the first, and the lines
+using Handful = std::pair<std::size_t, Lines>; // the index of the first path, and the lines
 
-// A send that does not wait for its receiver, but for the one before it.
+// Sends a message without waiting until it has been received, but waits for the previous message.
 class Sender
 {
 public:
@@ -191,7 +193,7 @@ void work(const mpi::communicator& world)
   }
 }
 
-// What rank 0 does.
+// The process of rank 0.
 class Leader
 {
 public:
@@ -204,7 +206,7 @@ public:
   {
   }
 
-  // The number of paths that something went wrong with in this run.
+  // Returns the number of paths of this run that could not be computed.
   std::size_t operator()()
   {
     while(m_written < m_paths.size() || m_dismissed + 1 < m_world.size()) {
@@ -237,7 +239,7 @@ private:
     m_next = end;
   }
 
-  // Results that come too early wait for those before them.
+  // Results are written in the order of the paths; those that arrive too early are stored.
   void write(std::size_t first, const Lines& lines)
   {
     m_waiting[first] = lines;
@@ -256,13 +258,13 @@ private:
   const mpi::communicator& m_world;
   Lines m_paths;
   std::size_t m_written; // results in the file
-  std::size_t m_next;    // the first path that has not been handed out
+  std::size_t m_next;    // the first path that has not been distributed
   std::ofstream m_file;
   std::map<int, Sender> m_hand_out; // by rank
   std::map<std::size_t, Lines> m_waiting;
   std::unique_ptr<Surface> m_surface;
   std::size_t m_errors = 0;
-  int m_dismissed = 0; // ranks that know that nothing is left
+  int m_dismissed = 0; // the number of ranks that have received an empty list of paths
 };
 
 int main(int argc, char** argv)
@@ -282,6 +284,6 @@ int main(int argc, char** argv)
     return errors > 0 ? EXIT_FAILURE : EXIT_SUCCESS;
   } catch(const std::exception& error) {
     std::cerr << error.what() << '\n';
-    mpi::environment::abort(EXIT_FAILURE); // the other ranks wait for this one
+    mpi::environment::abort(EXIT_FAILURE); // since the other ranks wait for messages of this one
   }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Drags the end of a geodesic over a mesh, from the vertex where it ends to another one, and takes half of that back.
+// Moves the end of a geodesic along edges from one vertex to another, and undoes half of the moves.
 //
 //   dragged_curve_example MESH SOURCE TARGET NEW_TARGET
 //
@@ -51,7 +51,7 @@ try {
                                          {triangulation.location(vertex(argv[2])), triangulation.location(target)});
   //! [Editor]
 
-  // The pen goes along edges, and stops at each vertex.
+  // The end of the curve moves to each vertex of an edge path in turn.
   std::vector<std::vector<Point_3>> curves;
   for(FG::Halfedge_index h : FG::Shortest_edge_path<Triangulation>(triangulation)(target, new_target)) {
     //! [Move]

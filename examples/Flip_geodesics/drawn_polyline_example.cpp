@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// A polyline that is drawn on a mesh, across its faces: kept as it is, shortened, and snapped to a path of edges.
-// The positions of the pen are on a circle above the mesh.
+// Draws a closed polyline across the faces of a mesh, shortens it, and snaps the drawn polyline to a path of edges.
+// The polyline passes through the points of the mesh that are nearest to the points of a circle above the mesh.
 //
 //   drawn_polyline_example MESH
 //
@@ -47,7 +47,7 @@ using Tree_traits = CGAL::AABB_traits_3<Kernel, Primitive>;
 using Tree_traits = CGAL::AABB_traits<Kernel, Primitive>;
 #endif
 
-// The points of the mesh that are nearest to some points of a circle above it.
+// Returns the points of the mesh that are nearest to some points of a circle above it.
 std::vector<FG::Surface_location> pen_positions(const Triangulation& triangulation, const Mesh& mesh)
 {
   CGAL::AABB_tree<Tree_traits> tree;
@@ -75,7 +75,7 @@ try {
   FG::Curve_extractor<Network> extractor(network);
   const FG::Curve_index drawn = FG::draw_polyline(network, line, CGAL::parameters::is_closed(true));
   FG::order_overlapping_curves(network);
-  FG::shorten(network); // to the polyline itself, since its points are fixed
+  FG::shorten(network); // the result is the polyline itself, since its points are fixed
   extractor.points(drawn, std::back_inserter(curves[0]));
   const double drawn_length = network.length(drawn);
   network.free_nodes(drawn);
@@ -83,7 +83,7 @@ try {
   extractor.points(drawn, std::back_inserter(curves[1]));
   std::cout << "drawn: " << drawn_length << ", shortened: " << network.length(drawn);
   network.clear();
-  triangulation.rollback(); // the inserted points are gone, too
+  triangulation.rollback(); // this also removes the inserted points
   const auto path =
       FG::halfedges_through(triangulation, FG::snap_polyline(triangulation, line, CGAL::parameters::is_closed(true)),
                             CGAL::parameters::is_closed(true));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// A metric of lengths on the edges instead of points: here steps in direction z cost more, so that geodesics avoid
-// them.
+// Computes a geodesic with respect to a metric that is given by edge lengths instead of points. Here, the z component
+// of each edge is multiplied by COST, so that geodesics avoid steps in the direction z.
 //
 //   edge_length_metric_example MESH [COST]
 //

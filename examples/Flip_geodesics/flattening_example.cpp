@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Texture coordinates by cutting and flattening. The path through some vertices is shortened, but for the first of
-// them, to which it may return, and is the seam. Without vertices, a cut graph is. The triangulation is refined, cut
-// open along the seam and flattened conformally, and the coordinates are carried to the common subdivision of the mesh
-// and the triangulation.
+// Computes texture coordinates by cutting a surface open and flattening it. The seam is a path through the given
+// vertices, or a cut graph if no vertices are given. It is shortened first; a path remains fixed at its ends and
+// wherever it passes through the first vertex. The triangulation is then refined, cut open along the seam and flattened
+// conformally. The coordinates are carried to the common subdivision of the mesh and the triangulation.
 //
 //   flattening_example MESH [VERTEX VERTEX...]
 //

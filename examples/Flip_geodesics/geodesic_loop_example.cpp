@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// A closed geodesic: a loop of edges through waypoints, shortened to a geodesic. A loop that can contract to a point
-// does.
+// Shortens a loop of edges through waypoints to a closed geodesic, or to a point if the loop can be contracted by
+// shortening.
 //
 //   geodesic_loop_example MESH VERTEX VERTEX VERTEX...
 //
-// Writes geodesic_loop.vtp, the curve, if it has not contracted.
+// Writes the curve to geodesic_loop.vtp, unless it has been contracted to a point.
 
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/IO/VTP.h>

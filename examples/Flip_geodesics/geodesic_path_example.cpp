@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// A geodesic from one vertex to another, by one call.
+// Computes a geodesic from one vertex to another by a single call.
 //
 //   geodesic_path_example MESH [SOURCE TARGET]
 //
-// Writes geodesic_path.vtp, the curve.
+// Writes the curve to geodesic_path.vtp.
 
 #include <CGAL/Flip_geodesics/IO/VTP.h>
 #include <CGAL/Flip_geodesics/geodesic_path.h>

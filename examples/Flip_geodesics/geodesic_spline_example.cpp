@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// A geodesic between points inside of faces, and a Bezier curve and a B-spline whose control points are inside of
-// faces.
+// Computes a geodesic between points inside faces, and a Bezier curve and a B-spline with control points inside faces.
 //
 //   geodesic_spline_example MESH
 //

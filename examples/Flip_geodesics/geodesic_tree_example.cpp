@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Geodesics from one vertex to all others, as a tree in one triangulation, and the logarithmic map that comes of it:
-// polar coordinates about the source, written as the texture coordinates of a mesh.
+// Computes geodesics from one vertex to all others, as a tree in one triangulation, and the logarithmic map that the
+// tree defines. The map is written as texture coordinates.
 //
 //   geodesic_tree_example MESH [SOURCE]
 //
-// Writes logarithmic_map.obj. Faces with a vertex that no path reaches are left out.
+// Writes logarithmic_map.obj, without the faces that have a vertex that no path reaches.
 
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>

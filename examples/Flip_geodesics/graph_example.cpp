@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// A surface divided by the three geodesics between three vertices: the triangulation has them as edges and is a graph
-// of CGAL's, so that a function of Polygon Mesh Processing finds the regions.
+// Computes the areas of the regions into which the three geodesics between three vertices divide a surface. The
+// triangulation contains the geodesics as edges and is a model of FaceListGraph, so that a function of Polygon Mesh
+// Processing can compute the regions.
 //
 //   graph_example MESH [VERTEX VERTEX VERTEX]
 
@@ -35,7 +36,7 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Triangulation = FG::Intrinsic_triangulation<Mesh>;
 using Network = FG::Edge_path_network<Triangulation>;
 
-// Heron's formula, in Kahan's order.
+// Computes the area of a face by Heron's formula, in the order of operations given by Kahan.
 double area(const Triangulation& triangulation, FG::Face_index f)
 {
   std::vector<double> sides;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Closed geodesics around the handles of a solid and around its tunnels.
+// Computes closed geodesics around the handles and the tunnels of a solid.
 //
 //   handle_and_tunnel_loops_example MESH
 //

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Inserts an isoline and a geodesic that crosses it into a mesh, and takes apart the regions that they bound.
+// Inserts an isoline, and a geodesic that crosses it, into a mesh, and separates the regions that these curves bound.
 //
 //   insert_curves_example MESH
 //

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Curves at given distances from some vertices, and the boundaries between the regions in which each is the nearest.
+// Computes isolines of the distance from some vertices, and the boundaries of the Voronoi diagram of these vertices.
 //
 //   isolines_example MESH [SOURCE]...
 //
@@ -57,7 +57,7 @@ try {
   field.compute();
   double largest = 0;
   for(const auto v : mesh.vertices())
-    if(const double distance = field.distance(triangulation.index(v)); distance < 1e300) // else on other components
+    if(const double distance = field.distance(triangulation.index(v)); distance < 1e300) // infinite on other components
       largest = (std::max)(largest, distance);
 
   const double tolerance = 0.002 * largest;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The kernel swaps the number type: the same lines over ten kernels, with exact predicates, which are the default, and
-// with those of the kernel's number type. The mesh is a folded sheet with cells of 1/3 by 1/7, which are not doubles.
+// Computes the same path with ten kernels, each with two kinds of predicates: the exact predicates that are the
+// default, and predicates that are evaluated in the number type of the kernel. The mesh is a folded sheet with cells of
+// 1/3 by 1/7, numbers that are not representable as doubles.
 //
 //   kernels_example
 
@@ -50,7 +51,7 @@ CGAL::Surface_mesh<typename Kernel::Point_3> folded_sheet()
   return mesh;
 }
 
-// With a kernel or traits over it as `geom_traits()`.
+// Passes `traits`, which is a kernel or a traits class over it, as `geom_traits()`.
 template <class Kernel, class Traits>
 void print_path(const std::string& kernel, const std::string& predicates, const Traits& traits)
 {
@@ -71,7 +72,7 @@ void print_path(const std::string& kernel, const std::string& predicates, const 
   std::cout << "   " << static_cast<int>(timer.time() * 1e6) << " microseconds\n";
 }
 
-// What predicates are of the coordinates, by default, and in the kernel's numbers.
+// The arguments describe the predicates: those that are the default, and those in the number type of the kernel.
 template <class Kernel>
 void print_both(const std::string& kernel, const std::string& by_default, const std::string& of_numbers)
 {

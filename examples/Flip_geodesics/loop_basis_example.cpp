@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Closed geodesics around all handles and holes of a surface, found from the surface alone; and the class of a closed
-// curve in them.
+// Computes closed geodesics that form a basis of the homology of a surface, and the homology class of a closed curve in
+// this basis.
 //
 //   loop_basis_example MESH [VERTEX VERTEX VERTEX...]
 //

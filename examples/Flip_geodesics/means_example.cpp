@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The mean of places on a surface, the midpoint of each with it, and points at equal lengths along the ways there.
+// Computes the mean of vertices of a mesh, the midpoint between each vertex and the mean, and equally spaced points on
+// the shortest paths from the vertices to the mean.
 //
 //   means_example MESH VERTEX...
 //

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Smooths the boundaries between regions of a mesh: a network of curves is straightened together, but a stop predicate
-// ends it before they are geodesics, and a visitor watches and may interrupt.
+// Smooths the boundaries between regions of a mesh. The curves of a network are shortened together, but a stop
+// predicate ends the shortening before they become geodesics. A visitor counts the steps, and stops the computation
+// after a million of them.
 //
 //   network_early_stop_example MESH [LENGTH_RATIO]
 //
-// Writes network.vtp, the curves.
+// Writes the curves to network.vtp.
 
 #include <CGAL/Flip_geodesics.h>
 #include <CGAL/Flip_geodesics/IO/VTP.h>
@@ -61,7 +62,7 @@ try {
   if(!(ratio >= 0 && ratio <= 1))
     throw std::invalid_argument("the ratio must be between 0 and 1");
   auto regions = mesh.add_property_map<Mesh::Face_index, int>("f:region", 0).first;
-  for(const auto f : mesh.faces()) { // one of eight boxes
+  for(const auto f : mesh.faces()) { // the octant around (0.1, 0.1, 0.1) that contains a corner of the face
     const Kernel::Point_3& p = mesh.point(mesh.target(mesh.halfedge(f)));
     regions[f] = (p.x() > 0.1 ? 1 : 0) + (p.y() > 0.1 ? 2 : 0) + (p.z() > 0.1 ? 4 : 0);
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Other ways round: the shortest paths between two vertices of which none can be deformed into another, around handles,
-// borders, and faces that no path may enter.
+// Computes the shortest paths of several homotopy classes between two vertices. Paths in different classes pass
+// differently around handles, borders, and obstacle faces, which no path enters.
 //
 //   other_ways_example MESH [SOURCE TARGET NUMBER [OBSTACLE_FACE ...]]
 //
@@ -53,7 +53,7 @@ try {
   for(int i = 5; i < argc; ++i)
     obstacles.insert(Mesh::Face_index(number(argv[i])));
 
-  // The mesh without the obstacles: the same vertices, halfedges and faces, and nothing is copied.
+  // A view of the mesh without the obstacles, in which vertices, halfedges and faces have the same descriptors.
   std::vector<Mesh::Face_index> free_faces;
   std::copy_if(mesh.faces_begin(), mesh.faces_end(), std::back_inserter(free_faces),
                [&](Mesh::Face_index f) { return obstacles.count(f) == 0; });

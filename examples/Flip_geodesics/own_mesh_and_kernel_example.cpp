@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Another mesh type, with points of an exact kernel, and traits of one's own: here they count what the engine computes.
+// Uses a Polyhedron_3 with points of an exact kernel as the mesh, and a user-defined traits class that counts flips.
 //
 //   own_mesh_and_kernel_example MESH
 
@@ -23,7 +23,7 @@ using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
 using Mesh = CGAL::Polyhedron_3<Kernel>;
 using Default_traits = FG::Intrinsic_triangulation_traits<Kernel, double>;
 
-// A model of IntrinsicTriangulationTraits: all arithmetic of the engine goes through such a class.
+// A model of IntrinsicTriangulationTraits. It replaces the functor that computes the geometry of a flip.
 struct Counting_traits : Default_traits
 {
   struct Flip : Default_traits::Flip

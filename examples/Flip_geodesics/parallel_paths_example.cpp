@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Geodesics from one vertex to all others, by several threads, with a limit of steps and a count of flips.
+// Computes geodesics from one vertex to all others by several threads. The number of steps of each path is limited, and
+// a visitor counts the flips of all paths.
 //
 //   parallel_paths_example MESH [STEPS [THREADS]]
 //
-// Prints how many paths are geodesics, and how many were not finished within the number of steps.
+// Prints how many paths are geodesics, and how many were not finished within STEPS steps.
 
 #include <CGAL/Flip_geodesics/geodesic_paths.h>
 
@@ -32,7 +33,7 @@ namespace FG = CGAL::Flip_geodesics;
 using Mesh = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
 using Vertex = Mesh::Vertex_index;
 
-// All threads call the same object, which is passed by reference: what it counts is atomic.
+// All threads call the same visitor, which is passed by reference; therefore, the counter is atomic.
 struct Flip_counter : FG::Default_shortening_visitor
 {
   std::atomic<std::size_t> flips{0};

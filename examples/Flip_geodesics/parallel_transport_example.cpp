@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The tangent plane of a point inside a face: where vertices lie in it, and a direction carried to all of them.
+// Computes the positions of vertices in the tangent plane of a point inside a face, by the logarithmic map, and the
+// parallel transport of a direction to these vertices.
 //
 //   parallel_transport_example MESH FACE RADIUS
 //
-// Prints the coordinates of the vertices that are nearer than the radius to the middle of the face, and traces a short
-// line from each in the direction that is carried there. Writes the lines to arrows.vtp, with the mesh.
+// Prints the coordinates of the vertices whose distance from the middle of the face is less than RADIUS, and traces a
+// short line from each of them in the transported direction. Writes the lines to arrows.vtp, with the mesh.
 
 #include <CGAL/Flip_geodesics/IO/VTP.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// A partial differential equation with its boundary on a curve: the temperature of a surface that is heated evenly and
-// kept at zero along a geodesic between two vertices. The curve is made of edges of the triangulation, so the
-// values on it are met exactly; the unknowns are the vertices of the mesh.
+// Solves a partial differential equation with boundary values on a curve: computes the temperature of a surface that is
+// heated evenly and kept at zero along a geodesic between two vertices. Since the curve consists of edges of the
+// triangulation, the solution is zero along the whole curve. The unknowns are the values at the vertices of the mesh.
 //
 //   poisson_example MESH SOURCE TARGET
 //
@@ -63,7 +63,7 @@ try {
   FG::shorten(network);
   //! [Steps]
   //! [Solve]
-  FG::flip_to_delaunay(triangulation); // all edges but those of the curve
+  FG::flip_to_delaunay(triangulation); // all edges except those of the curve
 
   std::vector<FG::Vertex_index> cold = {source};
   for(FG::Halfedge_index h : network.halfedges(curve))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// A curve that is half straight is saved with its triangulation, loaded again, and shortened to the end.
+// Saves a partially shortened curve together with its triangulation, reads both again, and completes the shortening.
 //
 //   save_network_example MESH [SOURCE TARGET]
 //
@@ -60,11 +60,11 @@ try {
   //! [Save]
   out.close();
   network.clear();
-  triangulation.rollback(); // the mesh's own edges again
+  triangulation.rollback(); // restores the edges of the mesh
 
   std::ifstream in("network.flips");
   //! [Read]
-  FG::read_network(in, network); // bitwise as it was before
+  FG::read_network(in, network); // bitwise identical to the saved network
   //! [Read]
   const bool is_same = network.length(curve) == saved_length;
   FG::shorten(network);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Geodesics are locally shortest. This program computes the globally shortest: one path, with the confirmation that
-// all others are at least as long, and the distances to all vertices.
+// Computes globally shortest paths, whereas geodesics are only locally shortest: a path between two vertices, also with
+// landmarks, a path between a vertex and a point in a face, and the distances of all vertices.
 //
 //   shortest_path_example MESH [SOURCE TARGET]
 //
-// Writes shortest_path.vtp, the path.
+// Writes the first path to shortest_path.vtp.
 
 #include <CGAL/Flip_geodesics/IO/VTP.h>
 #include <CGAL/Flip_geodesics/geodesic_distances.h>
@@ -67,7 +67,7 @@ try {
             << FG::to_string(between_points.verdict()) << '\n';
 
   //! [Landmarks]
-  const FG::Geodesic_landmarks landmarks = FG::geodesic_landmarks(mesh); // once, for thousands of pairs
+  const FG::Geodesic_landmarks landmarks = FG::geodesic_landmarks(mesh); // can be used for many pairs of vertices
   const auto again = FG::shortest_path(mesh, source, target, std::back_inserter(paths.emplace_back()),
                                        CGAL::parameters::landmarks(landmarks));
   //! [Landmarks]

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Straightest geodesics from a vertex in all directions, equally long: their ends are a circle of the exponential map.
+// Traces straightest geodesics of equal length from a vertex in 24 directions. Their ends are images of points of a
+// circle under the exponential map.
 //
 //   trace_geodesic_example MESH LENGTH [VERTEX]
 //
@@ -51,7 +52,7 @@ try {
   if(source >= mesh.number_of_vertices())
     throw std::invalid_argument("the mesh has no such vertex");
 
-  // The angle goes counterclockwise over all faces about the vertex, from a halfedge that starts there.
+  // Angles are measured counterclockwise, across the faces around the vertex, from a halfedge that starts there.
   const Mesh::Halfedge_index zero = mesh.opposite(mesh.halfedge(source));
   std::vector<std::vector<Point_3>> rays;
   constexpr int count = 24;

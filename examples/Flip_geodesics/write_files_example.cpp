@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Geodesics with their mesh and their ends in files for viewers.
+// Writes geodesics, their mesh and their end points to files for viewers.
 //
 //   write_files_example MESH
 //
-// Writes geodesics.vtp, geodesics.glb and ends.ply.
+// The files are geodesics.vtp, geodesics.glb and ends.ply.
 
 #include <CGAL/Flip_geodesics/IO/GLB.h>
 #include <CGAL/Flip_geodesics/IO/PLY.h>

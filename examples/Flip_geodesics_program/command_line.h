@@ -239,7 +239,7 @@ private:
         ->group("Positionals")
         ->required();
     add("--format", "NAME", m_options.format,
-        "read MESH in this format: off, obj, ply, stl or ts [that of the extension]");
+        "read MESH in this format: off, obj, ply, stl or ts [determined by the extension]");
     const std::string command = name;
     CLI::Option* const repair = command == "repair" || command == "info"
                                     ? nullptr
@@ -254,7 +254,7 @@ private:
     add("--json", "FILE", m_options.results.json,
         "write curves, distances, properties of the mesh and remarks as JSON; - for standard output");
     add("--output-format", "NAME", m_options.output_format,
-        "write a result to standard output (-o -) in the format of this file extension, such as obj");
+        "write the result on standard output (-o -) in the format of this file extension, such as obj");
   }
 
   void add_ends()
@@ -287,7 +287,7 @@ private:
   {
     return add("--draw", "FILE", m_options.draw,
                "read one polyline per line, given by its points (after `o` if it is closed); in a file "
-               "NAME.polylines.txt, a line contains the number of points and their coordinates");
+               "NAME.polylines.txt, a line consists of the number of points and their coordinates");
   }
 
   CLI::Option* add_loop()
@@ -339,17 +339,17 @@ private:
   void add_mollify()
   {
     add("--mollify", "MARGIN", m_options.mollify, {0, 1, true, true},
-        "lengthen all edges by the smallest common amount with which each face satisfies the triangle inequality with "
-        "a margin of this fraction of the mean edge length");
+        "lengthen all edges by the smallest common amount such that each face satisfies the triangle inequality with a "
+        "margin of this fraction of the mean edge length");
   }
 
   void add_weights()
   {
     add("--face-weights", "FILE", m_options.face_weights,
-        "weight the surface by one weight per face, on a line each or in lines `face weight`; the weights are averaged "
-        "at the vertices");
+        "read one weight per line for all faces in order, or lines `face weight` (other faces have the weight 1); the "
+        "weights are averaged at the vertices");
     add("--edge-weights", "FILE", m_options.edge_weights,
-        "multiply the lengths of edges by weights: lines `v w weight`, where v and w are the ends of the edge");
+        "read lines `v w weight`, and multiply the length of the edge between the vertices v and w by the weight");
     exclude("--face-weights", {"--edge-weights"});
     if(m_command->get_option_no_throw("--kernel") != nullptr)
       exclude("--kernel", {"--face-weights", "--edge-weights"}); // certified
@@ -357,10 +357,10 @@ private:
 
   void add_avoid()
   {
-    const std::string on_barrier =
-        m_command->get_name() == "shortest" ? "; the ends of paths must not lie on a barrier" : "";
     add("--avoid", "FILE", m_options.obstacles,
-        "read one obstacle per line: the vertices of a barrier along edges, or faces `f n n ...`" + on_barrier);
+        "read one obstacle per line: the vertices of a barrier along edges, or faces `f n n ...`; given points must "
+        "not "
+        "lie on a barrier, except at one of its ends");
   }
 
   void add_memory_limit()
@@ -417,8 +417,8 @@ private:
     add("--page", "FILE", m_options.results.page,
         "write an HTML page that shows the surface, the curves and the flips");
     add("--polylines", "FILE", m_options.results.polylines,
-        "write one line per point: `curve a b t x y z` for a point of an edge, or `curve a b c t u x y z` for a point "
-        "of a face");
+        "write one line per point, not in the format .polylines.txt: `curve a b t x y z` for a point of an edge, or "
+        "`curve a b c t u x y z` for a point of a face");
     add("--stats", "FILE", m_options.results.stats, "write lengths, statuses and times of the curves as CSV");
     add("--insert", "FILE", m_options.meshes.insertion,
         "write the mesh with the curves as edges (.off, .obj, .ply, .stl, .vtp)");
@@ -584,7 +584,7 @@ private:
     add("--source", "POINT", m_options.sources,
         "measure distances from a point, or from vertices `v,v,...`; can be repeated")
         ->allow_extra_args(false);
-    add("--sources", "FILE", m_options.sources_file, "read points as sources, separated by blanks or line breaks");
+    add("--sources", "FILE", m_options.sources_file, "read the sources: points separated by blanks or line breaks");
     require_one_of({"--source", "--sources"});
     add_isolines();
     add("--spacing", "DISTANCE", m_options.spacing, positive, "compute isolines at all multiples of this distance");

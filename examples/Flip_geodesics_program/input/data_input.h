@@ -69,8 +69,10 @@ public:
     const auto is_at_v = [&](std::size_t point) { return mesh.comes_from(v, point); };
     const auto corner = static_cast<std::size_t>(std::find_if(face.begin(), face.end(), is_at_v) - face.begin());
     if(corner == face.size())
-      throw Bad_input(m_name + ": face " + std::to_string(f) +
-                      " of the mesh differs from that in the file; write the file again with lines v, vt and f only");
+      throw Bad_input(
+          m_name + ": face " + std::to_string(f) +
+          " does not have the same vertices in the mesh and in the texture; write the file again with lines "
+          "v, vt and f only");
     return m_texture.coordinates[m_texture.corners[f][corner]];
   }
 
@@ -153,7 +155,7 @@ inline Network_request read_seams(const Input_mesh& input_mesh, const Input_text
     throw Bad_input(input.name() + ": " + error.what() + "; repair the mesh");
   }
   if(network.number_of_curves() == 0)
-    throw Bad_input(input.name() + ": the texture has no seam inside the surface; there is nothing to shorten");
+    throw Bad_input(input.name() + ": the texture has no seam inside the surface; use another texture");
   return data::requests(network, input.name());
 }
 

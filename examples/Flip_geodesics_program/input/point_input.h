@@ -335,7 +335,7 @@ inline void read_polyline_in_space(Point_reader& read_point, Text_scanner& words
 {
   long long count = 0;
   if(parse_number(words.next_word(), count) != nullptr || count < 0)
-    words.fail("the line does not start with the number of points of the polyline; correct it");
+    words.fail("the line does not start with the number of points of the polyline; add this number");
   std::vector<Point_3> points;
   while(static_cast<long long>(points.size()) < count) {
     const Element element = {"point", points.size()};

@@ -78,7 +78,7 @@ async function livePage() {
   const shared = ['source/data.js', 'source/frame.html', 'source/playback.js', 'source/stage.js', 'source/style.css', 'source/words.js'];
   const worker = await bundle('source_live/engine_worker.js');
   return fill({
-    '@TITLE@': 'Geodesics, live',
+    '@TITLE@': 'Geodesic curves',
     '@INTRODUCTION@': `This page holds its data, its script and its engine, and loads nothing. The engine is
 flip_geodesics itself as WebAssembly, made with CGAL, Boost and Eigen; parts of CGAL in it are under the GPL 3.0 or later.
 The script contains`,

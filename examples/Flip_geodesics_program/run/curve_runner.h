@@ -112,6 +112,8 @@ private:
        (crossing->elements().size() > 1 || crossing->elements().front() >= m_mesh.number_of_vertices()))
       return "the curve crosses itself, which --draw, --stop-length, --insert, --cut and the command `refine` do not "
              "allow; move its points, or omit these options";
+    if(crossing != nullptr)
+      return std::string(error.what()) + "; separate them";
     return with_advice(error, m_options.are_zero_edges_refused ? "omit --refuse-zero-edges or use --mollify"
                                                                : "use --mollify");
   }

@@ -95,7 +95,7 @@ class Page {
     swatch.style.background = this.color(i);
     const numbers = document.createElement('span');
     numbers.className = 'numbers';
-    const share = curve.initialLength > 0 && !curve.tree ? `${((100 * curve.length) / curve.initialLength).toFixed(2)} % of its edge path, ` : '';
+    const share = curve.initialLength > 0 && !curve.tree ? `${((100 * curve.length) / curve.initialLength).toFixed(2)} % of its initial length, ` : '';
     const status = document.createElement('span');
     status.textContent = [statusText(curve.status), verdictText(curve.certificate)].filter(Boolean).join(', ');
     if (curve.status !== 'LOCALLY_SHORTEST') status.className = 'other';
@@ -122,7 +122,7 @@ class Page {
     document.querySelectorAll('#curves button').forEach((b, i) => b.setAttribute('aria-pressed', String(i === curve)));
     const together = this.scene.curves.filter((c) => c.run === run).length > 1;
     this.curve = curve;
-    at('run-name').textContent = together ? 'the curves were' : `curve ${this.scene.curves[curve]?.number ?? ''} was`;
+    at('run-name').textContent = together ? 'the curves' : `curve ${this.scene.curves[curve]?.number ?? ''}`;
     const steps = this.playback ? this.playback.length : 0;
     document.querySelectorAll('#player button, #player input, #player select').forEach((e) => (e.disabled = steps === 0));
     at('show-intrinsic').disabled = !this.playback;

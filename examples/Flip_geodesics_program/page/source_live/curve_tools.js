@@ -25,7 +25,7 @@ export const levelOf = ({ name }) => Number(/^at distance (.*)$/.exec(name)?.[1]
  */
 export const tools = {
   path: {
-    hint: 'A geodesic through all points. Click two or more points.',
+    hint: 'The geodesics from each point to the next. Click two or more points.',
     option: 'points',
     options: ['closed', 'snap'],
     least: () => 2,
@@ -33,7 +33,7 @@ export const tools = {
     command: (mesh) => `path ${mesh} --points points.txt`,
   },
   loop: {
-    hint: 'The polyline through the points, shortened within its homotopy class. Click three or more points around a handle or a neck.',
+    hint: 'The polyline through the points, shortened within its homotopy class. Click three or more points, for example around a handle.',
     option: 'draw',
     options: ['closed', 'snap'],
     isClosed: true,
@@ -50,7 +50,7 @@ export const tools = {
     command: (mesh) => `spline ${mesh} --bezier points.txt`,
   },
   shortest: {
-    hint: 'The shortest of all paths between two vertices. Click both.',
+    hint: 'The shortest of all paths between two vertices. Click both vertices.',
     option: 'shortest',
     options: [],
     isAtVertices: true,
@@ -60,7 +60,7 @@ export const tools = {
     command: (mesh, [a, b]) => `shortest ${mesh} --from ${a.text} --to ${b.text}`,
   },
   classes: {
-    hint: 'The shortest paths of several homotopy classes between two vertices. Click both.',
+    hint: 'The shortest paths of several homotopy classes between two vertices. Click both vertices.',
     option: 'ways',
     options: ['count'],
     isAtVertices: true,

@@ -23,7 +23,7 @@ function run({ id, call, input, argument }) {
 }
 
 function describe({ message }) {
-  return /memory|stack/i.test(message) ? 'the computation requires more memory than a page can use; use the program' : `the engine stopped: ${message}`;
+  return /memory|stack/i.test(message) ? 'the computation requires more memory than a page can use; use the program' : `the computation failed: ${message}`;
 }
 
 onmessage = ({ data }) => {

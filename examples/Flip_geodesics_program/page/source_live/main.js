@@ -323,7 +323,7 @@ class Live_page {
     const place = isVertex ? this.stage.placeOfVertex(numbers[0])
       : numbers.length === 3 && numbers.every(Number.isFinite) ? this.stage.nearestPlace(this.stage.fromUnits(numbers)) : undefined;
     if (place) return this.addPoint(place, false);
-    return this.fail(place === null ? `vertex ${numbers[0]} does not exist or has no faces` : 'enter the number of a vertex, or three coordinates');
+    return this.fail(place === null ? `vertex ${numbers[0]} does not exist or has no faces; enter another one` : 'enter the number of a vertex, or three coordinates');
   }
 
   // Behind a point, in the middle of the curve to the next one.
@@ -472,7 +472,7 @@ class Live_page {
     if (kind === 'png') return this.stage.image();
     if (kind === 'points') return this.pointsFile();
     const requests = this.list.curves.map((curve) => this.requestOf(curve)).filter(Boolean);
-    if (requests.length === 0) throw new Error('set the points of a curve before saving');
+    if (requests.length === 0) throw new Error('no curve has enough points to be saved; add points');
     return this.whileBusy('saving', this.engine.save(kind.replace('.txt', ''), requests));
   }
 

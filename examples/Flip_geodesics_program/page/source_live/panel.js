@@ -7,7 +7,7 @@ import { levelOf, tools } from './curve_tools.js';
 import { format, lengthText, unit } from './units.js';
 
 const mostMembers = 500;
-const namesOfOptions = { count: 'homotopy classes', angle: 'direction', spacing: 'isolines' }; // other than their own
+const namesOfOptions = { count: 'homotopy classes', angle: 'direction', spacing: 'spacing of isolines' }; // other than their own
 const factorOf = (option) => (option === 'length' || option === 'spacing' ? unit.factor : 1); // by which its input is a multiple
 export const at = (id) => document.getElementById(id);
 
@@ -90,7 +90,7 @@ export class Panel {
 
   setMesh({ name, mesh }) {
     at('title').textContent = name;
-    document.title = `${name} - geodesics, live`;
+    document.title = `${name} - geodesic curves`;
     at('facts').textContent = `${plural(mesh.vertices, 'vertex', 'vertices')}, ${plural(mesh.triangles, 'triangle')}`;
     const repairs = mesh.remarks.filter((line) => line.startsWith('repair: '));
     at('remarks').hidden = mesh.remarks.length === 0;

@@ -164,7 +164,7 @@ private:
   {
     Edge_sequence& sequence = m_segment.sequence;
     if(are_same(sequence.tail, sequence.head))
-      refuse(number, "is the same as the previous one");
+      refuse(number, "is the same as the previous point; omit it");
     for(Input_halfedge_index h : edges_at(sequence.tail))
       if(is_on_halfedge(m_places, sequence.head, twin_index(h)) && leads_along(h)) {
         sequence.along = h;

@@ -332,7 +332,7 @@ private:
       return;
     const Vertex_index v = m_triangulation.tail(h), w = m_triangulation.head(h);
     throw_naming<Crossing_curves_error>(
-        "a segment of a curve crosses the curve itself or another one at the edge between vertices ", v, " and ", w);
+        "a segment of a curve crosses the curve itself or another curve at the edge between vertices ", v, " and ", w);
   }
 
   Network& m_network;

@@ -468,7 +468,7 @@ private:
       m_start = triangulation.insert(start, no_curve);
       m_end = triangulation.insert(end, no_curve);
       if(m_start == m_end)
-        throw Invalid_curve_error("two consecutive points of a curve coincide");
+        throw Invalid_curve_error("two consecutive points of a curve coincide; omit one of them");
     }
 
     Vertex_index start() const { return m_start; }

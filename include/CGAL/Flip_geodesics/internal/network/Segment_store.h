@@ -292,7 +292,8 @@ public:
     const Halfedge_index h = halves.first;
     const std::array<Halfedge_index, 2> chain = {h, halves.second};
     if(m_triangulation->holds(Triangulation::edge(h)) > (is_occupied(h) ? 1 : 0))
-      throw Occupied_triangulation_error("a curve of another network lies on an edge that must be split");
+      throw Occupied_triangulation_error(
+          "a curve of another network lies on an edge that must be split; use another triangulation");
     std::vector<Segment_index> segments = bundle(Triangulation::edge(h));
     if(!is_first_side(h))
       std::reverse(segments.begin(), segments.end()); // from left to right as seen along h

@@ -149,7 +149,8 @@ private:
       const Input_halfedge_index k = next_side(g);
       if(k == g || (next_side(k) == g && !m_metric.are_equally_long(g, k)))
         throw_naming<Degenerate_face_error>("a face has a zero-length edge between vertices ", m_input.tail(h), " and ",
-                                            m_input.tail(twin_index(h)), ", and two other edges of different lengths");
+                                            m_input.tail(twin_index(h)),
+                                            ", and two other edges of different lengths; correct the lengths");
     }
   }
 
