@@ -276,6 +276,8 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   --page crossing.html)
   flip_geodesics_add_program_test(crossing_inserted 1 "line 1.*the curve crosses itself, which --draw, .*--insert, .*move its points" spline
                                   torus.off --bezier crossing_line.txt --insert crossing.off)
+  flip_geodesics_add_program_test(crossing_snapped 1 "crossing_line.txt line 1.*cross at vertex [0-9]+; separate them" path
+                                  torus.off --draw crossing_line.txt --snap)
   flip_geodesics_add_program_test(bezier 0 "2 LOCALLY_SHORTEST.*length  *[1-9][0-9.]* of [1-9]" spline torus.off
                                   --bezier bezier.txt --kernel certified)
   flip_geodesics_add_program_test(draw 0 "1 CONTRACTED 1 LOCALLY" path torus.off --draw drawn.txt --mesh
