@@ -210,7 +210,8 @@ template <class Input_mesh>
     names += (names.empty() ? "" : ", ") + std::to_string(vertices.back());
     side = input.next(side);
   } while(side != h && vertices.size() < most_vertices);
-  throw Invalid_mesh_error("the face with vertices " + names + (side == h ? "" : ", ...") + " is not a triangle",
+  throw Invalid_mesh_error("the face with vertices " + names + (side == h ? "" : ", ...") +
+                               " is not a triangle; triangulate the mesh",
                            vertices);
 }
 
@@ -240,7 +241,7 @@ void check_has_face(const Input_mesh& input, Input_halfedge_index h)
 [[noreturn]] inline void throw_disconnected(Vertex_index source, Vertex_index target)
 {
   throw_naming<Disconnected_endpoints_error>("vertices ", source, " and ", target,
-                                             " lie in different connected components");
+                                             " lie in different connected components; no path connects them");
 }
 
 /* Two points that no path connects are named by vertices of their faces, as they need not be vertices. */

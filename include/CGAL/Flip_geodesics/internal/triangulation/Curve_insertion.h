@@ -908,10 +908,10 @@ private:
   {
     const std::size_t node = m_insertion.add_point(place.face, place.weights, given_weights(p, place));
     if(m_point > 0 && !m_insertion.add_segment(m_last_node, node, {{m_last_face, place.face}}))
-      throw Invalid_curve_error(name() +
-                                    " and the previous one do not lie in a common face; add the points where the curve "
-                                    "crosses edges, for instance by complete_polyline()",
-                                elements());
+      throw Invalid_curve_error(
+          name() + " and the previous point do not lie in a common face; add the points where the curve "
+                   "crosses edges, for instance by complete_polyline()",
+          elements());
     m_last_node = node;
     m_last_face = place.face;
     ++m_point;
