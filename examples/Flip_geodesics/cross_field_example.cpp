@@ -66,7 +66,7 @@ try {
   FG::Edge_path_network<Triangulation> network(triangulation);
   network.add_curve(search(FG::Vertex_index(number(argv[2])), FG::Vertex_index(number(argv[3]))));
   FG::shorten(network);
-  FG::flip_to_delaunay(triangulation); // all edges except those of the path
+  FG::flip_to_delaunay(triangulation); // flips no edge of the path
   Field field(triangulation);
   field.align(network);
   field.compute();

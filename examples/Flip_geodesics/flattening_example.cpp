@@ -74,8 +74,9 @@ try {
   Mesh& result = subdivision.mesh();
   auto texture_coordinates = result.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv", {}).first;
   flattening.carry_to(subdivision, texture_coordinates);
-  std::cout << flattening.iterations() << " steps of Newton's method; angle sums are off by "
-            << flattening.angle_error() << ", positions by " << flattening.layout_error() << ".\n";
+  std::cout << flattening.iterations() << " steps of Newton's method; angle sums are off by at most "
+            << flattening.angle_error() << " radians, positions by at most " << flattening.layout_error()
+            << " of the size of the layout.\n";
 
   std::ofstream out("flattening.obj");
   out.precision(17);

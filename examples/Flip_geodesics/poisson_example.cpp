@@ -63,7 +63,7 @@ try {
   FG::shorten(network);
   //! [Steps]
   //! [Solve]
-  FG::flip_to_delaunay(triangulation); // all edges except those of the curve
+  FG::flip_to_delaunay(triangulation); // flips no edge of the curve
 
   std::vector<FG::Vertex_index> cold = {source};
   for(FG::Halfedge_index h : network.halfedges(curve))

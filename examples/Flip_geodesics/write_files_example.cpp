@@ -41,7 +41,7 @@ try {
   if(std::error_code absent; std::filesystem::equivalent(argv[1], "ends.ply", absent))
     throw std::invalid_argument("the result would replace the mesh; rename the file of the mesh");
 
-  // From the first vertex to some others.
+  // Paths from the first vertex to some others.
   const Mesh::Vertex_index source(0);
   const unsigned int most = mesh.number_of_vertices() - 1, count = (std::min)(most, 6u);
   std::vector<std::vector<Point_3>> paths(count);

@@ -73,7 +73,7 @@ inline std::string ending(const CGAL::Flip_geodesics::Refinement_report& report)
            counted(report.missed - report.given_up, "face is", "faces are") +
            " too small for double precision, or adjacent to a face that is too small";
   case Refinement_status::VERTEX_LIMIT:
-    return "; ended because the limit on inserted vertices was reached";
+    return "; ended because the limit on inserted vertices was reached; increase --insertion-limit";
   case Refinement_status::STOPPED_BY_VISITOR:
     return "; interrupted";
   }

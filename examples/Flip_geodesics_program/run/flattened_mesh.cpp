@@ -161,7 +161,7 @@ Flattened_mesh flattened_along(const Mesh& mesh, const Network_request& cut, con
   report << counted(number_of_cuts, "cut", "cuts") << "; " << readable(subdivision.mesh().number_of_vertices())
          << " vertices, flattened in " << counted(static_cast<std::size_t>(flattening.iterations()), "step", "steps")
          << "; angle sums are off by at most " << flattening.angle_error() << " radians, positions by at most "
-         << flattening.layout_error() << " of the size\n";
+         << flattening.layout_error() << " of the size of the layout\n";
   std::string defect;
   if(turned > 0)
     defect = "the texture is not injective: in the plane, " + counted(turned, "triangle is", "triangles are") +

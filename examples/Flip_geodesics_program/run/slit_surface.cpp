@@ -59,7 +59,7 @@ void Slit_surface::add_face(Mesh::Face_index f, const std::vector<Mesh::Vertex_i
 {
   const Mesh::Face_index added = m_slit.add_face(corners);
   if(added == Mesh::null_face())
-    throw std::runtime_error("the mesh cannot be cut open: one of its vertices is non-manifold");
+    throw std::runtime_error("the mesh cannot be cut open: one of its vertices is non-manifold; use --repair");
   m_halfedges.resize(m_slit.number_of_halfedges());
   Mesh::Halfedge_index side = m_slit.halfedge(added);
   while(m_slit.source(side) != corners.front())
