@@ -498,7 +498,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(cut_along_isolines 0 "9 curves: 3 BOUNDARY 6 ISOLINE" distance torus.off --source
                                   0,100,200 --isolines 0.3,0.6 --voronoi --tolerance 0.01 --cut isolines_cut.off
                                   --insert isolines_insert.off)
-  flip_geodesics_add_program_test(cut_along_isolines_is_open 0 "the farthest vertex is 0.3 away" distance
+  flip_geodesics_add_program_test(cut_along_isolines_is_open 0 "the distance of the farthest vertex is 0.3; use" distance
                                   isolines_cut.off --source 0 --isolines 99)
   set_tests_properties(program_cut_along_isolines_is_open PROPERTIES DEPENDS program_cut_along_isolines)
   flip_geodesics_add_program_test(trace 0 "LENGTH +from vertex 0 at 0.5\n.*2 curves: 2 LENGTH" trace torus.off --trace
@@ -565,7 +565,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(avoid_word 2 "face_word.txt line 1: 'x' is not a whole number" shortest torus.off
                                   --random 1 --ways 2 --avoid face_word.txt)
   # Obstacles of distances and traces, and weights.
-  flip_geodesics_add_program_test(distance_walled_off 0 "no isoline at distance 9: the farthest vertex is [0-9.]+ away"
+  flip_geodesics_add_program_test(distance_walled_off 0 "no isoline at distance 9: the distance of the farthest vertex is [0-9.]+; use"
                                   distance torus.off --source 13 --isolines 9 --avoid two_walls.txt)
   flip_geodesics_add_program_test(distance_from_wall 2 "^flip_geodesics: vertex 3 lies on a barrier of --avoid, which has two sides"
                                   distance torus.off --source 3 --map x.csv --avoid wall.txt)
@@ -642,7 +642,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(trace_certified 2 "--kernel is not an option of trace" trace torus.off --trace 0,0,1
                                   --kernel certified)
   flip_geodesics_add_program_test(far_isoline 0
-                                  "0 curves.*no isoline at distance 99: the farthest vertex is [0-9.]+ away" distance
+                                  "0 curves.*no isoline at distance 99: the distance of the farthest vertex is [0-9.]+; use" distance
                                   torus.off --source 0 --isolines 99)
   flip_geodesics_add_program_test(near_isoline 0 "1 curve: 1 ISOLINE" distance torus.off --source 0 --isolines 1e-9)
   flip_geodesics_add_program_test(isoline_at_source 2 "--isolines: '0' is out of range. use more than 0" distance
@@ -678,9 +678,9 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   --source 0 --isolines 0.1,)
   flip_geodesics_add_program_test(left_out_source 2 "--source: '' is not a point" distance torus.off --source 0,,1
                                   --isolines 1)
-  flip_geodesics_add_program_test(source_too_large 2 "--source: a vertex of a point is not a whole number" distance torus.off
+  flip_geodesics_add_program_test(source_too_large 2 "--source: the vertex of a point is [0-9.e+]+, but must be a whole number" distance torus.off
                                   --source 0,99999999999999999999 --isolines 1)
-  flip_geodesics_add_program_test(vertex_too_large 2 "--from: a vertex of a point is not a whole number below 1e15" path
+  flip_geodesics_add_program_test(vertex_too_large 2 "--from: the vertex of a point is [0-9.e+]+, but must be a whole number below 1e15" path
                                   torus.off --from 99999999999999999999 --to 3)
   flip_geodesics_add_program_test(seed_too_large 2 "--seed: '99999999999999999999' is out of range" path torus.off
                                   --random 1 --seed 99999999999999999999)
@@ -969,7 +969,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(escape_in_option 2 "--kernel: '[?]c' is not known" path torus.off --random 2 --kernel
                                   "${escape}c")
   flip_geodesics_add_program_test(marked 0 "2 LOCALLY_SHORTEST" path torus.off --pairs marked.txt)
-  flip_geodesics_add_program_test(beyond 2 "beyond.txt line 1: a vertex of a point is not a whole number" path
+  flip_geodesics_add_program_test(beyond 2 "beyond.txt line 1: the vertex of a point is 1e[+]20, but must be a whole number" path
                                   torus.off --pairs beyond.txt)
   flip_geodesics_add_program_test(none_at_random 2 "--random: '0' is out of range" path torus.off --random 0)
   flip_geodesics_add_program_test(too_many_at_random 2 "--random: '99999999999' is out of range" path torus.off --random

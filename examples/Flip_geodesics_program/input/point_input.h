@@ -142,7 +142,8 @@ inline std::vector<double> read_numbers(std::string_view word, const std::string
 inline Vertex_index read_vertex(const Input_mesh& mesh, double number, const std::string& name)
 {
   if(!(number >= -1e15 && number <= 1e15) || number != static_cast<double>(static_cast<long long>(number)))
-    throw Bad_input(name + ": a vertex of a point is not a whole number below 1e15; write its number, counted from 0");
+    throw Bad_input(name + ": the vertex of a point is " + decimal_text(number) +
+                    ", but must be a whole number below 1e15; write its number, counted from 0");
   return mesh.vertex(static_cast<long long>(number), name);
 }
 

@@ -166,7 +166,7 @@ std::string missing_levels(const std::vector<double>& levels, const std::set<dou
     if(found.count(level) == 0) {
       out << "no isoline at distance " << level << ": ";
       if(level >= farthest)
-        out << "the farthest vertex is " << farthest << " away\n";
+        out << "the distance of the farthest vertex is " << farthest << "; use a smaller distance\n";
       else
         out << "the isoline is smaller than the tolerance " << tolerance << "; use a smaller --tolerance\n";
     }
