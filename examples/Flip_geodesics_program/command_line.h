@@ -188,7 +188,7 @@ private:
 
   CLI::Option* add(const char* name, bool& value, const char* description)
   {
-    return m_command->add_flag(name, value, description)->group(m_group);
+    return m_command->add_flag(name, value, description)->disable_flag_override()->group(m_group);
   }
 
   // Numbers with commas between, none of which is left out. May be repeated.
@@ -711,6 +711,8 @@ private:
     const std::string excludes = " excludes ";
     if(const std::size_t at = text.find(excludes); at != std::string::npos)
       return text.substr(0, at) + " and " + text.substr(at + excludes.size()) + " cannot be combined; use one of them";
+    if(const std::size_t at = text.find(" was given a disallowed flag override"); at != std::string::npos)
+      return (at == 1 ? "-" : "--") + text.substr(0, at) + " does not take a value";
     if(text.rfind("--longest-edge requires", 0) == 0)
       return text + "; use --refine 0 for no bound on angles";
     return text;

@@ -540,7 +540,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   ${pair_beside_wall} --ways 2 --avoid wall.txt)
   flip_geodesics_add_program_test(ways_past_hole 0 "5 WITHIN_ROUNDING" shortest torus.off --from 13 --to 150 --ways 5
                                   --avoid hole.txt)
-  flip_geodesics_add_program_test(ways_walled_off 1 "from, --to.*: no path between the two ends avoids the obstacles"
+  flip_geodesics_add_program_test(ways_walled_off 1 "from, --to.*: no path connects the two ends"
                                   shortest ${pair_beside_wall} --ways 2 --avoid two_walls.txt)
   flip_geodesics_add_program_test(ways_from_wall 1 "vertex 3 lies on a barrier of --avoid" shortest torus.off --from 3 --to
                                   150 --ways 2 --avoid wall.txt)
@@ -771,6 +771,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(one_file_for_two 2 "twice.csv: two" path torus.off --random 2 --stats twice.csv
                                   --polylines twice.csv)
   flip_geodesics_add_program_test(cut_of_many 2 "require a single.*curve, or one network" path torus.off --random 3 --cut cut.off)
+  flip_geodesics_add_program_test(quiet_with_value 2 "--quiet does not take a value; see" info torus.off --quiet=7)
   flip_geodesics_add_program_test(quiet 0 "^$" path torus.off --from 0 --to 150 --quiet)
   flip_geodesics_add_program_test(help 0 "path .*loop .*view .*Examples:.*flip_geodesics distance" --help)
   foreach(command path loop loops network spline shortest trace distance log certify cut flatten refine repair info view)

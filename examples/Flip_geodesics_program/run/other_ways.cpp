@@ -99,8 +99,9 @@ private:
                               " vertices of the universal cover; request fewer paths or increase --memory-limit");
       note_others(pair, report);
     } catch(const FG::Disconnected_endpoints_error& error) {
-      add_failure(pair,
-                  m_request.obstacles.are_none() ? error.what() : "no path between the two ends avoids the obstacles");
+      add_failure(pair, m_request.obstacles.are_none()
+                            ? error.what()
+                            : "no path connects the two ends: without the obstacles, they lie in different components");
     } catch(const FG::Error& error) {
       add_failure(pair, with_advice_to_repair(error));
     }
