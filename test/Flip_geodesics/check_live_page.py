@@ -542,7 +542,7 @@ def check_view(page):
 
 
 def check_cancel(page):
-    """Thousands of isolines are cancelled, by key and by button, and the next curve is computed."""
+    """Thousands of isolines are canceled, by key and by button, and the next curve is computed."""
     before = page.data('line')
     page.tool('distances')
     for cancel in (lambda: page.browser.press('Escape'), lambda: page.browser.click(*page.browser.middle_of('#cancel'))):
@@ -551,7 +551,7 @@ def check_cancel(page):
         check(page.data('isIdle') == 'false', 'the page does not compute')
         cancel()
         page.settle()
-        check(page.browser.text('#error') == 'cancelled', f'not cancelled: {page.browser.text("#error")}')
+        check(page.browser.text('#error') == 'canceled', f'not canceled: {page.browser.text("#error")}')
         page.type('[data-option=spacing]', '0.5')
         page.compare_with_program(1e-9)
     page.tool('path')

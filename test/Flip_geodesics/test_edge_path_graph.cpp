@@ -353,7 +353,7 @@ BOOST_AUTO_TEST_CASE(the_signature_tells_classes_apart)
 }
 
 // A spur between a free and a fixed node at one vertex: what is left when it has gone is fixed.
-BOOST_AUTO_TEST_CASE(a_cancelled_spur_keeps_its_fixed_node)
+BOOST_AUTO_TEST_CASE(a_canceled_spur_keeps_its_fixed_node)
 {
   const Mesh_soup soup = {{{0, 0, 0}, {1, -1, 0}, {2, 0, 0}, {1, -0.25, 0}, {1, 2, 0}},
                           {{0, 1, 3}, {1, 2, 3}, {0, 3, 4}, {3, 2, 4}}};

@@ -218,7 +218,7 @@ BOOST_AUTO_TEST_CASE(an_interrupted_path_leaves_the_others_alone)
 }
 
 // A pair whose ends are one vertex throws as soon as a path is searched.
-BOOST_AUTO_TEST_CASE(no_path_is_searched_once_the_visitor_has_cancelled)
+BOOST_AUTO_TEST_CASE(no_path_is_searched_once_the_visitor_has_canceled)
 {
   const Mesh mesh = to_mesh<Mesh>(bumpy_sphere(8, 0.2, 3));
   Pairs pairs = random_pairs(mesh, 20, 5);

@@ -126,7 +126,7 @@ public:
     std::vector<char> is_given(n, 0);
     bool is_aligned = false;
     for(std::size_t v = 0; v < n; ++v)
-      if(std::abs(m_aligned[v]) > internal::cancelled_directions) { // opposite directions cancel out up to rounding
+      if(std::abs(m_aligned[v]) > internal::canceled_directions) { // opposite directions cancel out up to rounding
                                                                     // errors
         is_given[v] = 1;
         is_aligned = true;

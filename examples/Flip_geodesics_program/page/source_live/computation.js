@@ -25,7 +25,7 @@ export class Computation {
     return this.answers.get(keyOf(request));
   }
 
-  // A cancelled request is computed only when this is called.
+  // A canceled request is computed only when this is called.
   retry(request) {
     this.answers.delete(keyOf(request));
   }
@@ -56,7 +56,7 @@ export class Computation {
     if (answers === this.answers) this.onAnswer(request, answer);
   }
 
-  // What is not wanted now: failures, which may be cancelled computations, and the oldest of too many answers.
+  // What is not wanted now: failures, which may be canceled computations, and the oldest of too many answers.
   evict() {
     const wanted = new Set(this.wanted().map(keyOf));
     const unwanted = [...this.answers].filter(([key]) => !wanted.has(key));

@@ -27,7 +27,7 @@ const mostVerticesOfTree = 50000;
 const mostLabels = 60;
 const longestFrame = 300; // milliseconds that a curve takes, to follow a point at once
 const isolinesAtFirst = 16; // over the diameter of the mesh
-const cancelled = 'cancelled';
+const canceled = 'canceled';
 const mark = (name, value) => (document.documentElement.dataset[name] = value);
 
 class Live_page {
@@ -49,7 +49,7 @@ class Live_page {
     this.listenToDrops();
   }
 
-  // Opens a mesh. If that fails or is cancelled, everything stays as it is.
+  // Opens a mesh. If that fails or is canceled, everything stays as it is.
   async open({ name, format: extension, bytes }) {
     this.fail('');
     mark('isIdle', false);
@@ -57,7 +57,7 @@ class Live_page {
       const text = await this.whileBusy(`reading ${name}`, this.engine.open(extension ? `${name}.${extension}` : name, bytes));
       this.show(readMesh(text), name);
     } catch (error) {
-      this.fail(error.message === cancelled ? `reading ${name} was cancelled` : error.message);
+      this.fail(error.message === canceled ? `reading ${name} was canceled` : error.message);
     }
     at('message').textContent = '';
     mark('isIdle', !this.computation.isRunning);
@@ -394,7 +394,7 @@ class Live_page {
     this.update();
   }
 
-  // Computations that take longer are shown, and can be cancelled.
+  // Computations that take longer are shown, and can be canceled.
 
   async whileBusy(text, promise) {
     this.busy = { text, started: performance.now() };
@@ -420,7 +420,7 @@ class Live_page {
   // Returns whether there was something to cancel.
   cancel() {
     if (!this.busy && !this.computation.isRunning) return false;
-    this.engine.restart(cancelled);
+    this.engine.restart(canceled);
     return true;
   }
 

@@ -689,7 +689,7 @@ private:
     return end == first ? Segment_end{} : end;
   }
 
-  // The joint at the head of `upstream`, which has a new successor because two segments have cancelled.
+  // The joint at the head of `upstream`, which has a new successor because two segments have canceled.
   void collect_merged_joint(Segment_index upstream, std::vector<Joint>& affected) const
   {
     if(upstream == null_index || m_segments.next(upstream) == null_index)

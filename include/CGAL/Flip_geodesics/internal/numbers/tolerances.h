@@ -265,7 +265,7 @@ inline constexpr double flat_bend = 0x1p-30;
 
 /* The length of a sum of unit vectors below which they cancel, and no direction is prescribed. Rounding errors leave
  * some u of each; a sum so short has no direction that is worth following. */
-inline constexpr double cancelled_directions = 1e-6;
+inline constexpr double canceled_directions = 1e-6;
 
 /* A reversal of a curve: the square of the sum of two unit tangents, or one plus their cosine. Tangents
  * are then opposite up to 1.5e-6 radians; above, their sum has ten digits. Affects the shape of tubes only. */
