@@ -35,11 +35,11 @@ public:
  *
  *            previous(c)
  *              /   \              c: the corner at vertex(c), and the halfedge vertex(c) -> vertex(next(c))
- *             /  f  \             twin(c): the halfedge next(c) -> c of the neighbour, null_index on the border
+ *             /  f  \             twin(c): the halfedge next(c) -> c of the neighbor, null_index on the border
  *            c --->  next(c)
  *
  * The ends of an edge without length are one vertex, the one with the smaller number. A face with one such edge is a
- * line, and its neighbours at the two other edges are neighbours of each other; so no face with such an edge is left.
+ * line, and its neighbors at the two other edges are neighbors of each other; so no face with such an edge is left.
  */
 class Mesh
 {

@@ -75,7 +75,7 @@ inline Mesh_soup spikes(int n)
   return grid(n, n, Diagonal_rule::ALTERNATING, [](int i, int j) { return (i * 5 + j * 3) % 7 == 0 ? 1000 : 0; });
 }
 
-/// Moves some vertices: to a neighbour, two to a third, to the middle of an edge, or beyond one.
+/// Moves some vertices: to a neighbor, two to a third, to the middle of an edge, or beyond one.
 inline Mesh_soup spoilt(Mesh_soup soup, int how, unsigned seed)
 {
   Random_numbers random(seed);

@@ -95,7 +95,7 @@ void write_curves(const Mesh& mesh, std::size_t count, unsigned seed, bool are_s
   for(std::size_t i = 0; i < count; ++i) {
     const std::size_t number = are_splines ? 3 + source.below(3) : 2 + source.below(3);
     const std::size_t most_steps = i % 2 == 0 ? 20 : 20 + mesh.number_of_faces() / 4;
-    std::set<std::string> known; // twice the same point is an error, in neighbours
+    std::set<std::string> known; // twice the same point is an error, in neighbors
     std::string line = are_splines ? marks[i % marks.size()] : "";
     for(Index face : source.faces(number, (std::min)(most_steps, std::size_t(2000)))) {
       std::string point = source.point(face);

@@ -125,10 +125,10 @@ class Graph:
 
     def __init__(self, points, faces):
         self.points, self.faces = points, faces
-        self.neighbours = [set() for _ in points]
+        self.neighbors = [set() for _ in points]
         for f in faces:
             for i in range(3):
-                self.neighbours[f[i]].update((f[i - 1], f[(i + 1) % 3]))
+                self.neighbors[f[i]].update((f[i - 1], f[(i + 1) % 3]))
 
     def nearest(self, place):
         return min(range(len(self.points)), key=lambda v: math.dist(self.points[v], place))
@@ -141,7 +141,7 @@ class Graph:
                 break
             if d > distance[v]:
                 continue
-            for w in self.neighbours[v]:
+            for w in self.neighbors[v]:
                 far = d + math.dist(self.points[v], self.points[w])
                 if far < distance.get(w, math.inf):
                     distance[w], parent[w] = far, v
@@ -165,7 +165,7 @@ class Graph:
             if v in label:
                 continue
             label[v] = i
-            for w in self.neighbours[v]:
+            for w in self.neighbors[v]:
                 if w not in label:
                     heapq.heappush(queue, (d + math.dist(self.points[v], self.points[w]), w, i))
         return label
@@ -178,7 +178,7 @@ class Graph:
             while found:
                 v = found.pop()
                 part.append(v)
-                found += self.neighbours[v] & left
-                left -= self.neighbours[v]
+                found += self.neighbors[v] & left
+                left -= self.neighbors[v]
             parts.append(part)
         return parts

@@ -452,7 +452,7 @@ def check_colors(page):
 
     seen = {}
     page.browser.evaluate("document.getElementById('colors').focus()")
-    for name in ('violet', 'blue', 'grey', ''):
+    for name in ('violet', 'blue', 'gray', ''):
         check(page.browser.evaluate("document.getElementById('colors').value") == name, f'the colors are not {name}')
         seen[name] = colors()
         lightness = [0.2 * r + 0.7 * g + 0.1 * b for r, g, b, _ in seen[name]]
@@ -461,13 +461,13 @@ def check_colors(page):
         check(growth > 20 if name else abs(growth) < 20, f'{name}: lighter by {growth}')
         page.browser.press('ArrowDown')
     check(len({str(s) for s in seen.values()}) == 4, 'two maps have the same colors')
-    check(all(max(c[:3]) - min(c[:3]) <= 3 for c in seen['grey']), 'the greys are colored')
+    check(all(max(c[:3]) - min(c[:3]) <= 3 for c in seen['gray']), 'the grays are colored')
     check('colors' not in page.browser.text('#scale'), 'the legend shows colors that are not there')
     page.browser.press('ArrowUp')
-    check(colors() == seen['grey'], 'the colors are not shown again')
+    check(colors() == seen['gray'], 'the colors are not shown again')
     page.browser.evaluate("document.activeElement.blur()")
     page.tool('path')
-    check(colors() != seen['grey'], 'the colors of distances are shown without distances')
+    check(colors() != seen['gray'], 'the colors of distances are shown without distances')
     page.click(*SPOTS[0])
     page.compare_with_program()
 

@@ -148,10 +148,10 @@ Mesh_soup voxel_surface(int nx, int ny, int nz, const Predicate& is_filled)
     return position->second;
   };
   const auto add_side = [&](const std::array<int, 3>& cell, int axis, bool is_upper) {
-    std::array<int, 3> neighbour = cell, base = cell;
-    neighbour[axis] += is_upper ? 1 : -1;
+    std::array<int, 3> neighbor = cell, base = cell;
+    neighbor[axis] += is_upper ? 1 : -1;
     base[axis] += is_upper ? 1 : 0;
-    if(is_inside(neighbour))
+    if(is_inside(neighbor))
       return;
     const auto corner = [&](int i, int j) {
       std::array<int, 3> c = base;

@@ -178,7 +178,7 @@ inline Mesh_soup without_isolated_vertices(const Mesh_soup& soup)
 
 namespace internal {
 
-// Splits triangles; a new point is known by its weights at the old ones, which neighbouring triangles agree on.
+// Splits triangles; a new point is known by its weights at the old ones, which neighboring triangles agree on.
 class Subdivision
 {
 public:

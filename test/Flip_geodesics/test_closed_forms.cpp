@@ -339,10 +339,10 @@ BOOST_AUTO_TEST_CASE(distances_on_tetrahedra, *within_1e_9)
     for(int j = 0; j < 4; ++j)
       BOOST_TEST(tetrahedron_distance(4, points[i], points[j]) == (i == j ? 0 : edge));
   BOOST_TEST(tetrahedron_distance(4, {0, 0, 4}, {0, 0, -4}) == edge); // midpoints of opposite edges
-  const Coordinates base_centre = {4. / 3, 4. / 3, -4. / 3};
+  const Coordinates base_center = {4. / 3, 4. / 3, -4. / 3};
   BOOST_TEST(tetrahedron_distance(4, {-4, 4, -4}, {4, 4, 4}) == edge);
   BOOST_TEST(tetrahedron_distance(4, {-4. / 3, 4. / 3, 4. / 3}, {4, -4, -4}) == edge * 2 / std::sqrt(3.));
-  BOOST_TEST(tetrahedron_distance(4, base_centre, {4, -4, -4}) == edge / std::sqrt(3.));
+  BOOST_TEST(tetrahedron_distance(4, base_center, {4, -4, -4}) == edge / std::sqrt(3.));
 }
 
 // Within a face the distance is that in space, and everywhere it is symmetric and satisfies the triangle inequality.

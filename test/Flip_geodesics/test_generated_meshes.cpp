@@ -181,10 +181,10 @@ int number_of_components(const Mesh_soup& soup, const Predicate& is_passable)
     for(int i = 0; i < 3; ++i) {
       const int u = soup.triangles[t][i], v = soup.triangles[t][(i + 1) % 3];
       face_of[{u, v}] = t;
-      const auto neighbour = face_of.find({v, u});
-      if(neighbour == face_of.end() || !is_passable(u, v) || root(t) == root(neighbour->second))
+      const auto neighbor = face_of.find({v, u});
+      if(neighbor == face_of.end() || !is_passable(u, v) || root(t) == root(neighbor->second))
         continue;
-      parent[root(t)] = root(neighbour->second);
+      parent[root(t)] = root(neighbor->second);
       --components;
     }
   return components;

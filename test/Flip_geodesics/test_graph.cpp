@@ -157,7 +157,7 @@ auto vertex_map(const Triangulation& t, std::vector<Value>& values)
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(the_concepts_are_modelled)
+BOOST_AUTO_TEST_CASE(the_concepts_are_modeled)
 {
   BOOST_CONCEPT_ASSERT((boost::VertexListGraphConcept<Triangulation>));
   BOOST_CONCEPT_ASSERT((boost::EdgeListGraphConcept<Triangulation>));

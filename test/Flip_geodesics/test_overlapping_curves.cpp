@@ -39,7 +39,7 @@ void check_equal(const std::vector<Element>& a, std::initializer_list<Element> b
 
 constexpr int width = 6;
 
-/// The vertex (i, j) of a grid of 6 x 4 cells, whose neighbours are E, NE, N, W, SW and S.
+/// The vertex (i, j) of a grid of 6 x 4 cells, whose neighbors are E, NE, N, W, SW and S.
 Vertex_index at(int i, int j) { return Vertex_index(grid_vertex(width, i, j)); }
 
 Mesh_soup plane() { return flat_grid(width, 4, Diagonal_rule::RISING); }

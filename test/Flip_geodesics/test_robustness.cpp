@@ -371,7 +371,7 @@ BOOST_AUTO_TEST_CASE(bad_input_is_reported_by_type)
   BOOST_CHECK_THROW(touch_with_point(Surface::Point(nan, 0, 0)), FG::Invalid_coordinate_error);
   BOOST_CHECK_THROW(touch_with_point(Surface::Point(0, inf, 0)), FG::Invalid_coordinate_error);
   BOOST_CHECK_THROW(touch_with_point(Surface::Point(0, 0, 1e200)), FG::Invalid_coordinate_error);
-  BOOST_CHECK_THROW(touch_with_point(Surface::Point(0, 1, 0)), FG::Degenerate_face_error); // on a neighbour
+  BOOST_CHECK_THROW(touch_with_point(Surface::Point(0, 1, 0)), FG::Degenerate_face_error); // on a neighbor
 
   BOOST_CHECK_NO_THROW(touch_with_length(1.5));
   BOOST_CHECK_NO_THROW(touch_with_length(2)); // a flat triangle is one

@@ -260,7 +260,7 @@ BOOST_AUTO_TEST_CASE(vectors_can_be_long_and_short)
   }
 }
 
-// A needle whose area is lost if products are rounded: from its centre, away from a corner.
+// A needle whose area is lost if products are rounded: from its center, away from a corner.
 BOOST_AUTO_TEST_CASE(vectors_in_needles_are_accurate)
 {
   const double n = 0x1p27;

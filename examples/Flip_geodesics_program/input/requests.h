@@ -89,7 +89,7 @@ inline CGAL::Flip_geodesics::Surface_location location_of(const Mesh& mesh,
   return location_between(mesh, p.a, p.b, p.c, p.t, p.u).value();
 }
 
-/// A curve to compute. Two vertices of a pair need not be neighbours; those of a curve given by its edges are.
+/// A curve to compute. Two vertices of a pair need not be neighbors; those of a curve given by its edges are.
 struct Curve_request
 {
   std::string name;                   ///< for messages: where it comes from

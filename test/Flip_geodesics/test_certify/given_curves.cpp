@@ -276,9 +276,9 @@ BOOST_AUTO_TEST_CASE(ends_on_one_edge_and_in_one_face)
       certified(mesh, {crossing(h, 1), crossing(outgoing_halfedge(mesh, 2), 1)}).is_locally_shortest()); // vertices
   for(std::size_t i = 0; i < 3; ++i) {
     std::array<double, 3> weights = {1, 1, 1};
-    const Place centre = std::make_pair(mesh.face(h), weights);
+    const Place center = std::make_pair(mesh.face(h), weights);
     weights[i] = 2;
-    BOOST_TEST(certified(mesh, {centre, std::make_pair(mesh.face(h), weights)}).is_locally_shortest());
+    BOOST_TEST(certified(mesh, {center, std::make_pair(mesh.face(h), weights)}).is_locally_shortest());
   }
   const auto bent = certified(mesh, {crossing(h), place(0), crossing(outgoing_halfedge(mesh, 2))});
   check_bend(bent, Verdict::BENT_JOINT, 2 * pi / 3, 0, 1, FG::Side::RIGHT);

@@ -16,7 +16,7 @@ BOOST_AUTO_TEST_CASE(only_small_angles_are_exempt)
   BOOST_CHECK_CLOSE_FRACTION(report.smallest_free_angle, 2 * std::atan(0.5) * 180 / std::acos(-1.0), 1e-12);
 }
 
-// The circumcentre lies in the middle of the longest side, which is on the border: the vertex there stays, though it
+// The circumcenter lies in the middle of the longest side, which is on the border: the vertex there stays, though it
 // sees another side under more than 120 degrees.
 BOOST_AUTO_TEST_CASE(a_point_that_hits_a_constrained_edge_stays)
 {
@@ -32,7 +32,7 @@ BOOST_AUTO_TEST_CASE(a_point_that_hits_a_constrained_edge_stays)
   BOOST_CHECK(kind(at) == FG::Location_kind::EDGE && at.weights[0] == at.weights[1]);
 }
 
-// The centre of a square sees its sides under right angles: they are not split.
+// The center of a square sees its sides under right angles: they are not split.
 BOOST_AUTO_TEST_CASE(sides_seen_under_right_angles_are_not_split)
 {
   Curve_setting s(flat_grid(1, 1, Diagonal_rule::RISING));

@@ -20,7 +20,7 @@ BOOST_AUTO_TEST_CASE(a_limit_on_insertions_is_kept)
   BOOST_CHECK_EQUAL(report.insertions + report.splits, 10u);
 }
 
-// One circumcentre may ask for two edges to be split.
+// One circumcenter may ask for two edges to be split.
 BOOST_AUTO_TEST_CASE(no_limit_is_exceeded)
 {
   for(std::size_t limit = 0; limit < 60; limit += stride) {

@@ -8,7 +8,7 @@ import { Playback } from './playback.js';
 import { hasWebGL, Stage } from './stage.js';
 import { plural, statusText, verdictText } from './words.js';
 
-// Near the set of Okabe and Ito, which the colour-blind can tell apart.
+// Near the set of Okabe and Ito, which the color-blind can tell apart.
 const palettes = {
   light: ['#0064a0', '#c44f00', '#00785a', '#a8437f', '#6e5600', '#1c2127'],
   dark: ['#56b4e9', '#ff9a4d', '#2fd0a5', '#f0a3cf', '#f0e442', '#ffffff'],

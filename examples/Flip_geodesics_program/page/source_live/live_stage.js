@@ -7,13 +7,13 @@ import { format, roundNumber, unit, withUnit } from './units.js';
 const labelHeight = 22; // in pixels
 const widestScale = 140;
 const widthOfColors = 240;
-// Maps of increasing lightness, which the colour-blind can read, too.
+// Maps of increasing lightness, which the color-blind can read, too.
 const colorMaps = {
   violet: ['#380a5a', '#2b4688', '#017b95', '#0fad94', '#83d675', '#f9ed52'],
   blue: ['#082256', '#546178', '#aaa377', '#ffea6e'],
-  grey: ['#222222', '#f0f0f0'],
+  gray: ['#222222', '#f0f0f0'],
 };
-const [colorCount, greyCount] = [256, 8]; // in the texture: those of a map, and those of vertices without a value
+const [colorCount, grayCount] = [256, 8]; // in the texture: those of a map, and those of vertices without a value
 
 function labelTexture(text) {
   const canvas = document.createElement('canvas');
@@ -32,14 +32,14 @@ function labelTexture(text) {
 
 function colorTexture(colors) {
   const canvas = document.createElement('canvas');
-  [canvas.width, canvas.height] = [colorCount + greyCount, 1];
+  [canvas.width, canvas.height] = [colorCount + grayCount, 1];
   const context = canvas.getContext('2d');
   const gradient = context.createLinearGradient(0, 0, colorCount, 0);
   colors.forEach((color, i) => gradient.addColorStop(i / (colors.length - 1), color));
   context.fillStyle = gradient;
   context.fillRect(0, 0, colorCount, 1);
   context.fillStyle = '#9a9a9a';
-  context.fillRect(colorCount, 0, greyCount, 1);
+  context.fillRect(colorCount, 0, grayCount, 1);
   return Object.assign(new CanvasTexture(canvas), { colorSpace: SRGBColorSpace, minFilter: LinearFilter, generateMipmaps: false });
 }
 
@@ -76,8 +76,8 @@ export class Live_stage extends Stage {
       this.greatest = finite.reduce((a, b) => Math.max(a, b), 0);
       const uv = new Float32Array(2 * (values?.length ?? 0));
       values?.forEach((x, i) => {
-        const texel = Number.isFinite(x) ? 0.5 + (x / (this.greatest || 1)) * (colorCount - 1) : colorCount + greyCount / 2;
-        uv[2 * i] = texel / (colorCount + greyCount);
+        const texel = Number.isFinite(x) ? 0.5 + (x / (this.greatest || 1)) * (colorCount - 1) : colorCount + grayCount / 2;
+        uv[2 * i] = texel / (colorCount + grayCount);
       });
       this.surface.geometry.setAttribute('uv', new BufferAttribute(uv, 2));
     }

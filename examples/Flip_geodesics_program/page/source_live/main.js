@@ -17,7 +17,7 @@ import { Player } from './player.js';
 import { distance, middle } from './polyline.js';
 import { format, roundNumber, withUnit } from './units.js';
 
-// After the set of Okabe and Ito for the colour-blind, darker or lighter than the surface.
+// After the set of Okabe and Ito for the color-blind, darker or lighter than the surface.
 const palettes = {
   light: { curves: ['#0b4fb3', '#007a5a', '#a8467f', '#b34700', '#1c7fb0', '#6b5b00'], point: '#d55e00', chosen: '#000000', tree: '#8a5a00' },
   dark: { curves: ['#6fb1ff', '#35d6a6', '#f09cc8', '#ff9a4d', '#8fd3ff', '#f0e442'], point: '#ff9a4d', chosen: '#ffffff', tree: '#e6c067' },

@@ -200,7 +200,7 @@ struct Search_policy
     return true;
   }
 
-  /* Is called after a vertex has been labelled, which is reached for the first time or again. */
+  /* Is called after a vertex has been labeled, which is reached for the first time or again. */
   template <class Origin, class Halfedge>
   void reach(const Origin&, Halfedge, Vertex_index, bool /* is_first */) const
   {
@@ -216,7 +216,7 @@ struct Search_policy
 
 /*
  * Dijkstra's algorithm and A* in one loop: the vertex with the least key is taken from the queue and settled, and its
- * neighbors are labelled. A policy determines everything else, see `Search_policy`: the graph, the lengths, the bounds,
+ * neighbors are labeled. A policy determines everything else, see `Search_policy`: the graph, the lengths, the bounds,
  * the end of the search and its result. Of equal keys the smallest vertex is settled first, and of equally long paths
  * the first one found is kept, so results are deterministic.
  *

@@ -95,7 +95,7 @@ struct Interrupted
 {
 };
 
-/* Returns the result of `compute()`, or a value-initialised result if it is interrupted. */
+/* Returns the result of `compute()`, or a value-initialized result if it is interrupted. */
 template <class Compute>
 auto result_unless_interrupted(const Compute& compute) -> decltype(compute())
 {
@@ -166,7 +166,7 @@ void report_progress(Visitor& visitor, std::size_t finished, std::size_t number)
 }
 
 /* Returns the result of `compute(interruption)`, where the interruption is null unless a visitor is given, or a
- * value-initialised result if the visitor stops it. */
+ * value-initialized result if the visitor stops it. */
 template <class NamedParameters, class Compute>
 auto result_unless_stopped(const NamedParameters& np, const Compute& compute)
 {
