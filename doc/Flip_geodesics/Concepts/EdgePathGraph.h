@@ -55,10 +55,10 @@ public:
   /// @{
 
   /// Returns the state and the angle of the wedge of a joint. Let `e` be `ends(joint)`. The state is
-  /// `Wedge_state::FREE` if and only if the joint is not fixed, `next_clockwise(e.first)` is `e.second`, and the angle
-  /// of the wedge is less than \f$\pi\f$. The second condition implies that neither the border nor an edge held by
-  /// another network lies inside the wedge. A model need not examine further corners once the angle has reached
-  /// \f$\pi\f$. \pre `next(joint.incoming)` is not `null_index`
+  /// `Wedge_state::FREE` if and only if the node of the joint is not fixed, `next_clockwise(e.first)` is `e.second`,
+  /// and the angle of the wedge is less than \f$\pi\f$. The second condition implies that neither the border nor an
+  /// edge held by another network lies inside the wedge. A model need not examine further corners once the angle has
+  /// reached \f$\pi\f$. \pre `next(joint.incoming)` is not `null_index`
   Wedge wedge(const Joint& joint) const;
 
   /// @}

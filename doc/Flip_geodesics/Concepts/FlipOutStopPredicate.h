@@ -33,9 +33,8 @@ public:
   Stop_decision operator()(const Shortening_step& step) const;
 
   /// (Optional) Returns a predicate of the same type in its initial state; for example, the result for a
-  /// `Time_stop_predicate` has a new timer. The functions `geodesic_paths()`, `geodesics_through()` and
-  /// `geodesic_path_through()` shorten several curves separately. They call this member once for each curve, and
-  /// evaluate the returned predicate while they shorten this curve. If this member is missing, these functions evaluate
-  /// the same predicate for all curves.
+  /// `Time_stop_predicate` has a new timer. `geodesic_paths()` calls this member once for each path, and
+  /// `geodesics_through()` and `geodesic_path_through()` call it once for each leg. The returned predicate is evaluated
+  /// for this path or leg. If this member is missing, the same predicate is evaluated for all paths or legs.
   FlipOutStopPredicate restarted() const;
 };

@@ -27,8 +27,8 @@ namespace CGAL::Flip_geodesics {
  *
  * For each halfedge, a vector of two doubles and a bound on the relative error of this vector are stored. If the bound
  * is too large to determine a sign, the triangulation determines the sign from the input faces, by the methods listed
- * in Section \ref Flip_geodesicsCertified. One of them is exact arithmetic with the square roots of the squared areas
- * of the faces.
+ * in Section \ref Flip_geodesicsCertified. One of these methods is exact arithmetic with the square roots of the
+ * squared areas of the faces.
  *
  * Since this method can take a very long time if many roots are independent, it is subject to a work limit; see
  * `sign_work_limit()`. Unless this limit is reached, all signs are exact. A sign that cannot be determined within the
@@ -72,9 +72,9 @@ public:
    * is the multiplication of two 64-bit words. Each multiplication of integers counts as at least 32 units. The
    * multiplication of two numbers with \f$r\f$ independent roots takes up to \f$4^r\f$ multiplications of integers.
    *
-   * The other methods listed in Section \ref Flip_geodesicsCertified do not use this limit. One of them computes the
-   * sign of a sum of square roots, always with the default work limit, if all edges across which the input faces are
-   * not coplanar are parallel.
+   * The other methods listed in Section \ref Flip_geodesicsCertified do not use this limit. One of them is used if the
+   * input faces bend only along parallel edges. It computes the sign of a sum of square roots, always with the default
+   * work limit.
    */
   std::uint64_t sign_work_limit() const { return m_sign_work_limit; }
 

@@ -353,7 +353,7 @@ public:
   /// @{
 
   /*!
-   * Moves a joint over its wedge, that is, replaces its two segments by segments along `arc`.
+   * Moves a joint over its wedge, that is, replaces the two segments of the joint by segments along `arc`.
    *
    * Let \f$x\f$ be the segment of the first end of the joint, and \f$y\f$ the segment of the second end (see `ends()`).
    * The arc leads from the other node of \f$x\f$ to the other node of \f$y\f$, with the wedge on its right. Each new
@@ -543,8 +543,8 @@ std::vector<Halfedge_index> halfedges_through(const Triangulation& triangulation
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Returns the chain of input halfedges along edge paths between consecutive waypoints. Each of these paths is the
- * result of a given search.
+ * Returns the chain of input halfedges along edge paths between consecutive waypoints. The object `search` computes
+ * each of these paths.
  *
  * \param search a `Shortest_edge_path` on a triangulation whose edges are still those of the input
  * \param way_points at least two vertices, as `Vertex_index`; a vertex that equals the previous one is skipped. For a
@@ -706,7 +706,7 @@ Index add_marked_edges(Network& network, const TriangleMesh& mesh, EdgeIsMarkedM
 
 namespace internal {
 
-/* Orders the segments on each edge. Returns the conflict, if one exists; the order is meaningless then. */
+/* Orders the segments on each edge, or returns the conflict that prevents this. */
 template <class Network>
 Order_conflict order_bundles(Network& network)
 {
@@ -768,11 +768,11 @@ Order_conflict order_if_possible(Network& network)
  * If an exception is thrown, the curves are unchanged, but the order of their segments can have changed.
  *
  * \param network an `Edge_path_network`
- * \throws Crossing_curves_error if every order of the segments contains a crossing. `elements()` returns a vertex at
- *         which curves cross, or one of several vertices that together make an order impossible
- * \throws Ambiguous_order_error if the search is aborted. This can happen only if long paths turn back on each other
- *         repeatedly and the choices of their orders depend on each other. `elements()` returns the vertices of an edge
- *         that these paths share
+ * \throws Crossing_curves_error if every order of the segments contains a crossing or violates the condition above on
+ *         fixed nodes and the border. `elements()` returns a vertex at which this happens, or one of several vertices
+ *         that together make an order impossible
+ * \throws Ambiguous_order_error if the search is aborted, for example because long paths turn back on each other
+ *         repeatedly. `elements()` returns the two vertices of an edge that the curves share
  *
  * Complexity: \cgalBigO{n \log n + d + p \log p} time, where \f$n\f$ is the number of segments, \f$d\f$ is the sum of
  * the degrees of their vertices, and \f$p\f$ is the number of pairs of segments that lie on the same edge. A million

@@ -44,8 +44,9 @@ namespace CGAL::Flip_geodesics {
  *
  * A mesh has one radicand \f$d\f$ if the area of every face is a rational multiple of \f$\sqrt d\f$. The radicand is 1
  * for meshes in a coordinate plane and for axis-aligned boxes, and 3 for regular tetrahedra and octahedra.
- * `common_radicand()` computes the radicand of a mesh; a radicand other than 1 must be passed to the constructor.
- * `Inexact_root_error` is thrown when a face is accessed whose area is not a rational multiple of \f$\sqrt d\f$.
+ * `common_radicand()` computes the radicand of a mesh. If the number type supports only meshes with one radicand, a
+ * radicand other than 1 must be passed to the constructor. `Inexact_root_error` is then thrown when a face is accessed
+ * whose area is not a rational multiple of \f$\sqrt d\f$.
  *
  * With exact numbers, faces store squared lengths and areas. For each input face, only one square root is computed,
  * that of the squared area; flips do not require square roots. With rounded numbers and intervals, faces store vectors
@@ -132,7 +133,7 @@ public:
 
   /// Returns the largest deviation from \f$\pi\f$, in radians, at which an angle still counts as straight. The result
   /// is 0 for exact numbers and intervals. For rounded numbers, about half of the digits are reserved for rounding
-  /// errors: the result is about 1e-9 for `double`, and about 1e-51 for numbers of 100 digits.
+  /// errors: the result is about 1e-9 for `double`, and about 3e-52 for numbers of 100 digits.
   static double angle_tolerance() { return internal::sign_tolerance<NT>(); }
 
   /// Constructs a face from points. \throws Inexact_root_error if `NT` is rational or a `Sqrt_extension`, and the
@@ -295,7 +296,8 @@ public:
       return Operations::sign(turn.y);
     }
 
-    // The exponents of other number types suffice. A quarter of those of floats leaves room for a product.
+    // Other number types have a sufficient range of exponents. A quarter of the greatest exponent of `float` leaves
+    // room for a product.
     static void rescale(Turn& turn)
     {
       if constexpr(is_interval || std::is_floating_point<NT>::value) {
@@ -355,7 +357,7 @@ public:
     static double key(double x, double y) { return 1 - x / (std::abs(x) + y); }
   };
 
-  /// Flips an edge with one division and no square root.
+  /// Flips an edge without a square root.
   class Flip : Functor_with_unit
   {
   public:

@@ -462,8 +462,8 @@ public:
 
   /// Constructs the triangulation of a mesh. The metric is the one that the points of the mesh define. Complexity:
   /// constant for a `Surface_mesh`, and \cgalBigO{n \log n} for other meshes, where \f$n\f$ is the size of the mesh.
-  /// \throws Invalid_mesh_error if the mesh has too many elements, contains removed elements, or has a halfedge without
-  ///         a next halfedge
+  /// \throws Invalid_mesh_error if the mesh has too many elements, contains removed vertices or edges, or has a
+  ///         halfedge without a next halfedge
   explicit Intrinsic_triangulation(const TriangleMesh& mesh, const Traits& traits = Traits())
     : Intrinsic_triangulation(mesh, Metric(get(CGAL::vertex_point, mesh)), traits)
   {
@@ -471,8 +471,8 @@ public:
 
   /// Constructs the triangulation of a mesh with a given metric. Complexity: constant for a `Surface_mesh`, and
   /// \cgalBigO{n \log n} for other meshes, where \f$n\f$ is the size of the mesh.
-  /// \throws Invalid_mesh_error if the mesh has too many elements, contains removed elements, or has a halfedge without
-  ///         a next halfedge
+  /// \throws Invalid_mesh_error if the mesh has too many elements, contains removed vertices or edges, or has a
+  ///         halfedge without a next halfedge
   /// \throws Input_mismatch_error if the metric detects that it was made for another mesh
   Intrinsic_triangulation(const TriangleMesh& mesh, const Metric& metric, const Traits& traits = Traits())
     : Elements(checked_input(mesh, metric), metric, traits)
@@ -494,8 +494,8 @@ public:
    * If the mesh has neither degenerate edges nor pairs of degenerate faces as described at
    * `Zero_length_edges::CONTRACT`, the result is the same as with `Zero_length_edges::REFUSE`.
    *
-   * \throws Invalid_mesh_error if the mesh has too many elements, contains removed elements, or has a halfedge without
-   *         a next halfedge
+   * \throws Invalid_mesh_error if the mesh has too many elements, contains removed vertices or edges, or has a
+   *         halfedge without a next halfedge
    * \throws Degenerate_face_error if edges are contracted, and either a face has a zero-length edge and two other edges
    *         of different lengths, or the number of umbrellas that meet at a point exceeds the number of vertices at
    *         this point
@@ -627,7 +627,7 @@ public:
    *
    * With `Certified_intrinsic_triangulation_traits`, each flip takes about 165 bytes and at most 200 bytes, and the
    * records take a few megabytes in addition. Faces of the input are cached if the vectors that the triangulation
-   * stores are too inaccurate to determine a sign; each of them takes about 260 bytes. With
+   * stores are too inaccurate to determine a sign; each cached face takes about 260 bytes. With
    * `Intrinsic_triangulation_traits` in double, each flip takes about 100 bytes. Memory that number types allocate,
    * such as the digits of rational numbers, is not included.
    *

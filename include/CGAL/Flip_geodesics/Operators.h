@@ -47,7 +47,7 @@ namespace CGAL::Flip_geodesics {
  * time and space. The object is a snapshot: later flips of the triangulation do not affect it.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulation`
- * \tparam ConcurrencyTag `CGAL::Sequential_tag`, or `CGAL::Parallel_tag` if TBB is linked; the results are the same
+ * \tparam ConcurrencyTag `CGAL::Sequential_tag`, or `CGAL::Parallel_tag` if TBB is linked; both yield the same results
  */
 template <class Triangulation, class ConcurrencyTag = CGAL::Sequential_tag>
 class Operators
@@ -194,8 +194,8 @@ private:
  *
  * At a vertex in the interior of the surface, the angles of the corners are scaled to a sum of \f$2\pi\f$
  * \cgalCite{KCPS13}, and the reference direction is that of the outgoing halfedge with the smallest index. At a vertex
- * on the border, the angles are not scaled, and the reference direction is that of the outgoing halfedge whose edge lies
- * on the border and which has a face on its left.
+ * on the border, the angles are not scaled, and the reference direction is that of the outgoing halfedge that lies on
+ * the border and has a face on its left.
  *
  * The object is a snapshot: later flips of the triangulation do not affect it. Construction takes time linear in the
  * size of the mesh.
@@ -279,7 +279,7 @@ private:
     } while(h != first);
   }
 
-  // Only the umbrella of one halfedge of a vertex is considered.
+  // Only one umbrella of each vertex has been laid out.
   static void check_umbrellas(const Triangulation& triangulation, const Marks& is_laid_out)
   {
     for(Halfedge_index h : internal::descriptors<Halfedge_index>(triangulation.number_of_halfedges()))

@@ -32,8 +32,7 @@ struct Delaunay_report
 
 namespace internal {
 
-/* Returns the default limit on the number of flips, which bounds the memory of the flip log. More than ten flips per
- * edge are necessary only if faces are extremely thin. */
+/* Returns the default limit on the number of flips, which bounds the memory of the flip log. */
 inline std::size_t default_maximum_of_flips(Index number_of_edges)
 {
   return 1000000 + 1000 * static_cast<std::size_t>(number_of_edges);

@@ -194,7 +194,7 @@ public:
 
 /// \ingroup PkgFlipGeodesicsErrors
 /// Is thrown if the value of a parameter is invalid: for example a level that is not finite, a tolerance that is not
-/// positive or is smaller than rounding errors, a negative radius, refinement bounds that cannot be reached, an
+/// positive or is smaller than rounding errors, a negative radius, refinement options that are out of range, an
 /// isolated base point of loops, or two base points in one component. It is also thrown if a distance field returns NaN
 /// or is queried at a location for which it stores no data, and if a result is requested before it has been computed.
 ///
@@ -271,10 +271,11 @@ public:
 
 /// \ingroup PkgFlipGeodesicsErrors
 /// Is thrown if input curves cross in every order of their overlapping segments, or if curves would cross after their
-/// nodes were freed. In both cases, `elements()` returns a vertex at which the curves cross.
+/// nodes were freed. In both cases, `elements()` returns a vertex at which curves cross, or one of several vertices
+/// that together make an order without crossings impossible.
 ///
-/// The exception is also thrown if a segment of a polyline crosses the polyline itself or a curve, or if two geodesic
-/// segments of a curve to be added cross. In this case, `elements()` returns the two end points of a crossed edge.
+/// The exception is also thrown if, when a polyline or curve is added, one of its segments crosses another of its
+/// segments or another curve. In this case, `elements()` returns the two end points of a crossed edge.
 class Crossing_curves_error : public Error
 {
 public:
@@ -303,8 +304,8 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if the number type has no square roots and the area of a face is not a rational multiple of the unit of
-/// area of the traits. `elements()` returns the vertices of the face, if they are known.
+/// Is thrown if the number type has no square roots and the area of a face is not a rational multiple of the square
+/// root of the radicand, or if a mesh has no radicand. `elements()` returns the vertices of a face, if they are known.
 class Inexact_root_error : public Error
 {
 public:

@@ -166,8 +166,8 @@ public:
     return length;
   }
 
-  /// The coordinates of a point. If the number type of the coordinates is exact and has rational values, these are
-  /// approximations by doubles with error bounds; otherwise, they are doubles.
+  /// The coordinates of a point. If their number type is exact and has rational values, approximations by doubles with
+  /// error bounds are stored; otherwise, doubles are stored.
 #ifdef DOXYGEN_RUNNING
   using Place = unspecified_type;
 #else
@@ -504,7 +504,8 @@ struct Internals<Edge_length_metric<TriangleMesh, EdgeLengthMap>> : Internals_of
 {
 };
 
-/* Scales lengths by a power of two, so that the largest is at least 1 and less than 2. \return its exponent */
+/* Divides lengths by a power of two, so that the largest is at least 1 and less than 2. Returns the exponent of the
+ * power. */
 inline int scale_to_one(std::array<double, 3>& lengths)
 {
   const int exponent = std::ilogb((std::max)({lengths[0], lengths[1], lengths[2]}));
@@ -514,10 +515,10 @@ inline int scale_to_one(std::array<double, 3>& lengths)
 }
 
 /*
- * Returns a lower bound on the factor by which segments in a triangle are longer than in another one whose points
- * correspond linearly. Rounding errors are subtracted. The sides of the other triangle, `before`, may be wrong by some
- * units in the last place, or zero; those of the first, `after`, are taken as given. The result is zero if one of the
- * sides is invalid, or if the sides `after` form a degenerate triangle.
+ * Returns a lower bound on the factor by which the linear map from the triangle with the sides `before` to the triangle
+ * with the sides `after` stretches segments. Rounding errors are subtracted. The sides `before` may be wrong by some
+ * units in the last place, or zero; the sides `after` are taken as given. The result is zero if one of the sides is
+ * invalid, or if the sides `after` form a degenerate triangle.
  *
  * The stretch of the sides alone is not sufficient: if two of them are stretched less than the third, heights can
  * become shorter by any factor.
@@ -669,8 +670,8 @@ public:
 
   using Base::place;
 
-  /// Returns the lower bound that the given metric returns, multiplied by a factor of at most 1. The factor takes
-  /// rounding errors into account: in no face is a line segment shortened by more than this factor.
+  /// Returns the lower bound that the given metric returns, multiplied by a factor of at most 1: in this metric, the
+  /// length of each line segment in a face is at least this factor times its length in the given metric.
   double distance_lower_bound(const Place& p, const Place& q) const
   {
     return m_least_stretch * Base::distance_lower_bound(p, q);

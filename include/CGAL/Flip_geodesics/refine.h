@@ -154,10 +154,10 @@ Refinement_report refine(Triangulation& triangulation, const OnSplit& on_split, 
  * early. The faces that would require the most vertices are then given up, as well as all bad faces with equally short
  * or shorter sides. The other faces are improved.
  *
- * Faces with edges that are too long are never given up. Such edges are divided, the longest first, until none of them
- * remains or the limit on insertions is reached. Because the longest edges are divided first, the vertices are
- * distributed evenly over the surface even if the limit ends the process. An upper bound \f$L\f$ on the lengths of
- * edges requires about \f$A/L^2\f$ vertices on a surface of area \f$A\f$.
+ * Faces with edges that are too long are never given up. They are processed before all other faces, the one with the
+ * longest edge first. The vertices are therefore distributed evenly over the surface even if the limit on insertions
+ * ends the process. An upper bound \f$L\f$ on the lengths of edges requires about \f$A/L^2\f$ vertices on a surface
+ * of area \f$A\f$.
  *
  * Two kinds of faces are *exempt* from the bound on angles. In a face of the first kind, no insertion could enlarge the
  * smallest angle, because this angle lies between two constrained edges that meet at an angle of less than 60 degrees,

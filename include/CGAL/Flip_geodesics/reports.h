@@ -64,7 +64,8 @@ inline Verdict verdict_of_distances(bool are_right)
   return are_right ? Verdict::WITHIN_TOLERANCE : Verdict::UNDECIDED;
 }
 
-/* Returns the verdict on all curves of a range: that of the first one for which the claim is false, or the worst. */
+/* Returns the verdict on all curves of a range: that of the first one for which the claim is false, or else the
+ * worst. */
 template <class Curves, class VerdictOf>
 Verdict verdict_of_curves(const Curves& curves, const VerdictOf& verdict_of)
 {

@@ -263,9 +263,10 @@ Shortening_report shorten(Network& network, const StopPredicate& stop, Visitor&&
  * The process always terminates, and it is deterministic. The smallest angle is widened first. Ties are broken in favor
  * of the older segment and, at one segment, in favor of the left side.
  *
- * The straightness of the resulting curves is computed from the input. With traits whose `Has_drift` is
- * `CGAL::Tag_true`, a curve receives the status `LOCALLY_SHORTEST` only if this measurement confirms that the curve is
- * locally shortest up to `Straightness::tolerance()`. To verify such a curve by exact predicates, call `certify()`.
+ * If the triangulation is a model of `IntrinsicTriangulationOfMesh`, the straightness of the resulting curves is
+ * computed from the input. With traits whose `Has_drift` is `CGAL::Tag_true`, a curve receives the status
+ * `LOCALLY_SHORTEST` only if this measurement confirms that the curve is locally shortest up to
+ * `Straightness::tolerance()`. To verify such a curve by exact predicates, call `certify()`.
  *
  * If one of the exceptions listed below is thrown, the network and its triangulation remain valid, and no curve is
  * longer than before the call.
@@ -273,7 +274,7 @@ Shortening_report shorten(Network& network, const StopPredicate& stop, Visitor&&
  * \param network the network, of a type that `Shortener` accepts. Its curves are shortened, and the edges around them
  *        are flipped. Curves that share edges must first be ordered by `order_overlapping_curves()`. If curves cross
  *        before the call, they still cross after the call. No status indicates such crossings, but
- *        `Edge_path_network::is_valid()` returns `false` for a network with crossing curves
+ *        `Edge_path_network::is_valid()` returns `false` if curves cross at free nodes
  * \param np an optional sequence of named parameters, in any order, among those listed below
  *
  * \cgalNamedParamsBegin

@@ -188,7 +188,7 @@ struct Can_restart<StopPredicate, std::void_t<decltype(std::declval<const StopPr
 {
 };
 
-/* Returns the predicate for the next curve: a restarted predicate if the class has `restarted()`, otherwise `stop`. */
+/* Returns the predicate for the next path or leg: a restarted one if the class has `restarted()`, otherwise `stop`. */
 template <class StopPredicate>
 decltype(auto) restarted(const StopPredicate& stop)
 {
@@ -203,7 +203,7 @@ decltype(auto) restarted(const StopPredicate& stop)
 /// \ingroup PkgFlipGeodesicsStop
 /// Stops when a given time has elapsed since the object was constructed. As a stop predicate, the object limits the
 /// time that is spent on shortening. The functions `geodesic_paths()`, `geodesics_through()` and
-/// `geodesic_path_through()` restart the timer for each curve, so the limit applies to each curve separately. As a
+/// `geodesic_path_through()` restart the timer for each path or leg, so the limit applies to each one separately. As a
 /// visitor, the object limits the time of any computation that accepts a visitor, for example of a search, a tree or a
 /// distance field.
 /// \cgalModels{FlipOutStopPredicate} \cgalModels{FlipOutVisitor}

@@ -169,7 +169,7 @@ constexpr bool is_exact_number()
 
 /*
  * Returns the fraction of a number below which its sign counts as zero. Half of the digits of rounded numbers are for
- * errors: 1e-9 for double, 1e-51 for 100 digits.
+ * errors: 1e-9 for double, 3e-52 for 100 digits.
  */
 template <class NT>
 double sign_tolerance()
