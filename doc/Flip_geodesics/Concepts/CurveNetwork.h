@@ -97,9 +97,9 @@ public:
   /// `Segment_end::is_none()` returns `true`. Otherwise, if `end` is the only end at the vertex, the result is `end`.
   Segment_end next_clockwise(const Segment_end& end) const;
 
-  /// Returns whether the curve turns back at a joint such that the wedge on the side `joint.side` is empty and has the
-  /// angle zero. The two ends at the joint then lie next to each other on one halfedge. The wedge on the other side of
-  /// such a joint extends around the whole vertex; for this side, the result is `false`.
+  /// Returns whether the curve turns back at a joint, with an empty wedge of angle zero on the side `joint.side`. The
+  /// two ends at the joint then lie next to each other on one halfedge. The wedge on the other side of such a joint
+  /// extends around the whole vertex; for this side, the result is `false`.
   /// \pre `next(joint.incoming)` is not `null_index`
   bool is_turning_back(const Joint& joint) const;
 

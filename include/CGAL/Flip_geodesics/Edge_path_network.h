@@ -340,8 +340,8 @@ public:
     return result;
   }
 
-  /// Returns whether the curve turns back at a joint such that the wedge on the side `joint.side` is empty and has the
-  /// angle zero. \pre `next(joint.incoming)` is not `null_index`
+  /// Returns whether the curve turns back at a joint, with an empty wedge of angle zero on the side `joint.side`.
+  /// \pre `next(joint.incoming)` is not `null_index`
   bool is_turning_back(const Joint& joint) const
   {
     const auto [a, b] = ends(joint);

@@ -194,8 +194,8 @@ private:
  *
  * At a vertex in the interior of the surface, the angles of the corners are scaled to a sum of \f$2\pi\f$
  * \cgalCite{KCPS13}, and the reference direction is that of the outgoing halfedge with the smallest index. At a vertex
- * on the border, the angles are not scaled, and the reference direction is that of the outgoing halfedge that lies on
- * the border and has a face on its left.
+ * on the border, the angles are not scaled, and the reference direction is that of the outgoing halfedge whose edge
+ * lies on the border and which has a face on its left.
  *
  * The object is a snapshot: later flips of the triangulation do not affect it. Construction takes time linear in the
  * size of the mesh.

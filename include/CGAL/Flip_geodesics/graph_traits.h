@@ -335,7 +335,7 @@ Halfedge_index prev(Halfedge_index h, const Intrinsic_triangulation<M, T, E>& t)
   if(!t.is_border(h))
     return t.previous(h);
   Halfedge_index last = h;
-  if(!t.is_inserted(t.tail(h))) // from the previous umbrella, if there are several
+  if(!t.is_inserted(t.tail(h))) // the border comes from the previous umbrella, if there are several
     last = internal::first_outgoing_halfedge(t, internal::previous_umbrella(t.input(), t.edge_sequence(h).along));
   for(Halfedge_index g = last; g != null_index; g = t.clockwise(g))
     last = g;
@@ -467,7 +467,7 @@ internal::Descriptor_index_map<Edge_index> get(boost::edge_index_t, const Intrin
   return {};
 }
 
-// Linear; valid until the next flip or insertion.
+// Takes linear time; the map is valid until the next flip or insertion.
 template <class M, class T, class E>
 internal::Face_index_map get(boost::face_index_t, const Intrinsic_triangulation<M, T, E>& t)
 {
