@@ -126,8 +126,8 @@ private:
  * The values \f$u_i\f$ minimize a convex function, whose Hessian matrix is the cotangent Laplacian of the scaled faces.
  * The minimum is found by Newton's method; usually, a few sparse factorizations suffice. Faces that violate the
  * triangle inequality during the iteration are treated as degenerate \cgalCite{SSP08}. If such a face remains at the
- * minimum, the problem has no solution for this triangulation, and an exception is thrown. In this case,
- * `refine_and_flatten()` splits edges of such faces in order to obtain a triangulation for which a solution exists.
+ * minimum, the problem has no solution for this triangulation, and the constructor throws an exception.
+ * `refine_and_flatten()` instead splits edges of such faces to obtain a triangulation for which a solution exists.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulation`
  */

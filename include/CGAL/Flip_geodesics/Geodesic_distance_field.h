@@ -147,7 +147,7 @@ class Geodesic_distance_field
   using Query = internal::Field_query<Triangulation>;
 
 public:
-  using Triangle_mesh = typename Triangulation::Triangle_mesh;                          ///< the mesh
+  using Triangle_mesh = typename Triangulation::Triangle_mesh;                          ///< the type of the mesh
   using face_descriptor = typename boost::graph_traits<Triangle_mesh>::face_descriptor; ///< the face type of the mesh
 
   /// Contains the result of a query.
@@ -199,9 +199,9 @@ public:
    * \throws Vertex_out_of_range_error if `point` is a vertex that does not belong to the mesh, or an isolated vertex
    *         that is not given as a `Vertex_index`
    * \throws Invalid_location_error if `point` is not a point of the surface
-   * \throws Invalid_coordinate_error if the offset is negative, not finite, or more than about 1e10 times the length of
-   *         the sides of a face that contains the point. With a larger offset, rounding errors of distances would
-   *         exceed about 1e-6 of this length
+   * \throws Invalid_coordinate_error if the offset is negative, not finite, or more than about 1e10 times the size of a
+   *         face that contains the point. With a larger offset, rounding errors of distances would exceed about 1e-6 of
+   *         this size
    * \throws Degenerate_face_error if a face that the function visits is degenerate. For a vertex without offset, no
    *         faces are visited
    * \throws Invalid_mesh_error if a face that the function visits is invalid

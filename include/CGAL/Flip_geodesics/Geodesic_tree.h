@@ -73,29 +73,29 @@ struct Geodesic_tree_report
   std::size_t flip_outs = 0; ///< the number of wedges flipped out \cgalCite{SC20,Algorithm 1}
   std::size_t reopened = 0;  ///< the number of times that the acceptance of a vertex was revoked
   /// The smallest angle that a path forms on either side at a vertex through which it leads, in radians, measured on
-  /// the input. The value is infinite if no path leads through a vertex, and for traits without drift, which require no
-  /// measurement.
+  /// the input. The value is infinite if no path leads through a vertex, and for traits whose `Has_drift` is
+  /// `CGAL::Tag_false`, which require no measurement.
   double smallest_angle = std::numeric_limits<double>::infinity();
 };
 
 /*!
  * \ingroup PkgFlipGeodesicsTree
  *
- * Represents the tree of geodesics from a source to all vertices, or to all vertices within a given distance. All paths
- * consist of edges of the same intrinsic triangulation \cgalCite{SC20,section 6.5}.
+ * Represents a tree of geodesics from a source to the vertices of a surface, up to an optional maximal length. All
+ * paths consist of edges of the same intrinsic triangulation \cgalCite{SC20,section 6.5}.
  *
  * The tree is grown by Dijkstra's algorithm on the current triangulation. Before a vertex is accepted, `grow()` checks
- * whether the path to it is bent at the preceding vertex, that is, whether the two edges of the path form an angle
- * smaller than \f$\pi\f$ on one side. If so, the edges inside the wedge with the smaller angle are flipped, which
- * yields a shorter path, and the search continues. A vertex with a bent path is accepted only if flips no longer
- * shorten the path, because of rounding errors or degenerate faces. In contrast to \cgalCite{SC20}, the acceptance of a
- * vertex is revoked if a new edge gives a shorter path to it. The finished tree is therefore a shortest path tree of
- * the edge graph of the final triangulation.
+ * whether the path to it is bent at the preceding vertex, that is, whether the two edges of the path at that vertex
+ * form an angle smaller than \f$\pi\f$ on one side. If so, the edges inside the wedge with the smaller angle are
+ * flipped, which yields a shorter path, and the search continues. A vertex with a bent path is accepted only if
+ * rounding errors or degenerate faces prevent flips from shortening the path. In contrast to \cgalCite{SC20}, the
+ * acceptance of a vertex is revoked if a new edge gives a shorter path to it. The finished tree is therefore a shortest
+ * path tree of the edge graph of the final triangulation.
  *
  * If the status is `LOCALLY_SHORTEST`, the paths are locally shortest and do not cross. Most of them are globally
  * shortest; `make_shortest()` replaces the others.
  *
- * A tree that has been grown satisfies an invariant, which `is_valid()` checks. The distance of a reached vertex is the
+ * A tree that has been grown satisfies an invariant, which `is_valid()` checks: the distance of a reached vertex is the
  * distance of its parent plus the length of the edge between the two vertices, and no edge between reached vertices
  * gives a shorter path.
  *
@@ -721,9 +721,8 @@ Vertex_logarithmic_map logarithmic_map_of_tree(const Geodesic_tree<Triangulation
  * vertices whose paths lead through the same vertex, for example a saddle vertex at which the paths bend, have the same
  * angle.
  *
- * The map is discontinuous across the cut locus, that is, the set of points that several shortest paths reach from
- * different sides. The map can also be discontinuous at paths of the tree that are not shortest; `make_shortest()`
- * replaces these paths.
+ * The map is discontinuous across the cut locus, the set of points that several shortest paths reach. The map can also
+ * be discontinuous at paths of the tree that are not shortest; `make_shortest()` replaces these paths.
  *
  * \param tree a tree that has been grown
  * \param zero the input halfedge whose direction is 0; it must start at the source. By default, and always for an

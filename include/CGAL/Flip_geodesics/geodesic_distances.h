@@ -72,8 +72,8 @@ struct Distances_report
   /// - the search encountered a face whose height is at most 1e-10 of its base, or rounding errors may exceed 1e-10 of
   ///   a distance.
   ///
-  /// In the last case, all functions except `geodesic_distance_matrix()` run a second search, with outward-rounded
-  /// bounds, if all sources are vertices. This search can still confirm the results.
+  /// In the last case, a second search with outward-rounded bounds can still confirm the results. It is run if all
+  /// sources are vertices, except by `geodesic_distance_matrix()`.
   Verdict verdict = Verdict::UNDECIDED;
   /// The status of all paths of the tree, including those that were not replaced, as in `Geodesic_tree_report::status`.
   /// It is `LOCALLY_SHORTEST` if no tree was grown, and `STOPPED_BY_VISITOR` if `go_further()` of a visitor returned
@@ -110,8 +110,8 @@ bool count_longer(const Tree& tree, const Search& search, Distances_report& repo
 }
 
 /*
- * Returns an upper bound on the lengths of the requested paths: the limit of the tree, or its longest path if it
- * contains all vertices.
+ * Returns an upper bound on the lengths of the requested paths: the limit of the tree, or its longest path if it has no
+ * limit.
  */
 template <class Tree>
 double longest_wanted(const Tree& tree)
@@ -839,7 +839,7 @@ Computed_values<Polar_coordinates> compute_logarithmic_map(const TriangleMesh& m
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \return a report on the distances: the number of vertices other than sources that the search has reached, and whether
+ * \return a report on the distances: the number of vertices other than sources that have been reached, and whether
  *         all distances are confirmed
  *
  * \throws Vertex_out_of_range_error if a vertex does not belong to the mesh
@@ -850,7 +850,7 @@ Computed_values<Polar_coordinates> compute_logarithmic_map(const TriangleMesh& m
  * \throws Invalid_mesh_error as `geodesic_path()` does
  *
  * Complexity: that of `Geodesic_distance_field::compute()`, plus that of `Geodesic_tree::grow()` and `make_shortest()`
- * if a tree is grown. If sources are points in space, a search tree of the \f$n\f$ faces is built in
+ * if a tree is grown. If sources are points in space, a search tree over the \f$n\f$ faces is built in
  * \cgalBigO{n \log n} time, and locating each point that is close to the surface takes \cgalBigO{\log n} time.
  *
  * The search of the first fallback takes \cgalBigO{w \log w} time, where \f$w\f$ is the number of its windows; the
@@ -893,7 +893,7 @@ Distances_report geodesic_distances(const TriangleMesh& mesh, const Sources& sou
  * \param coordinates a model of `WritablePropertyMap` with the vertices of the mesh as keys and `Polar_coordinates` as
  *        values
  * \param np the named parameters of `geodesic_distances()`, except `nearest_source_map`
- * \return a report: the number of vertices other than the source that the search has reached, and whether the paths are
+ * \return a report: the number of vertices other than the source that have been reached, and whether the paths are
  *         confirmed to be shortest
  * \throws Vertex_out_of_range_error if `source` is not a vertex of the mesh
  * \throws Degenerate_face_error as `geodesic_path()` does

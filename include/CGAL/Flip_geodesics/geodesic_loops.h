@@ -254,8 +254,8 @@ private:
 /// Specifies the loops among which `shortest_loop()` searches.
 enum class Loop_kind {
   NOT_CONTRACTIBLE, ///< loops that cannot be contracted to a point
-  NOT_BOUNDING      ///< loops whose homology class is not zero: on a closed surface, the loops that do not separate the
-                    ///< surface
+  NOT_BOUNDING      ///< loops whose homology class is not zero; on a closed surface, a simple loop is of this kind if
+                    ///< it does not separate the surface
 };
 
 namespace internal {

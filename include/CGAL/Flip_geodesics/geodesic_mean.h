@@ -76,12 +76,13 @@ struct Mean_limits
  * points has a local minimum.
  *
  * The logarithmic map provides the vectors from the current point to the given points. Each step follows a straightest
- * geodesic from the current point in the direction of the weighted mean of these vectors, at most as far as this mean
- * vector is long. A step that does not lead closer to a mean is tried again with half the length. In the plane, one
- * step suffices.
+ * geodesic from the current point in the direction of the weighted mean of these vectors, and is at most as long as
+ * this mean. If a step does not decrease the sum of squared distances, up to rounding errors, a step of half its length
+ * is tried. In the plane, one step suffices.
  *
- * The mean is unique if the points are close together relative to the curvature. On a mesh of needles, the vectors can
- * be less precise than the tolerance requires. The status can then depend on the numbering of the vertices and faces.
+ * Several means can exist; the result then depends on the point at which the search starts. On a mesh of needles, the
+ * vectors can be less precise than the tolerance requires. The status can then depend on the numbering of the vertices
+ * and faces.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; flips made in it do not affect the result
  */
@@ -297,7 +298,7 @@ struct Geodesic_mean_result
   using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor; ///< the face type of the mesh
 
   std::pair<face_descriptor, std::array<double, 3>> location; ///< the end of the search, a `Face_location`
-  Mean_report report;                                         ///< whether the location is a mean
+  Mean_report report;                                         ///< the report on the search
 
   Mean_status status() const { return report.status; } ///< returns how the search ended
 };

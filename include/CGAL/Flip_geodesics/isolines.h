@@ -212,7 +212,7 @@ public:
   struct Answer
   {
     double distance = std::numeric_limits<double>::infinity(); ///< the distance from the nearest source
-    std::size_t source = 0;                                    ///< the index of the distance map of this source
+    std::size_t source = 0;                                    ///< the index of the distance map of that source
   };
 
   /// Constructs the field that interpolates between the distances of vertices.
@@ -297,9 +297,9 @@ struct Voronoi_boundary : Located_polyline<TriangleMesh, Point>
  * In all other faces, a region can be missed if it lies between sample points that have the same nearest source, since
  * a field does not return the distance of the second nearest source. These faces are therefore divided until no side of
  * a part is longer than \f$\sqrt{t s}\f$. Here, \f$t\f$ is the tolerance, and \f$s\f$ is the square root of the area of
- * the surface. Around sources without an offset, faces are divided until their parts are as small as the tolerance. A
- * region, or a part of a region, can be missed only if it is narrower than \f$\sqrt{t s}\f$ and does not contain a
- * source without an offset.
+ * the surface. A region, or a part of one, that is narrower than \f$\sqrt{t s}\f$ can be missed. Around sources with
+ * the offset 0, faces are divided until their parts are as small as the tolerance, so that only parts of regions that
+ * are narrower than \f$t\f$ can be missed there.
  *
  * \param mesh a triangle mesh; distances on it are those of the surface that its points in space define
  * \param field a model of `GeodesicDistanceField`

@@ -49,7 +49,7 @@ public:
    *
    * \param search a `Shortest_edge_path`, which computes the distances. With `Search_method::DIJKSTRA` or
    *        `Search_method::A_STAR`, these are the lengths of shortest edge paths. With `Search_method::LOOK_BACK`, they
-   *        estimate distances on the surface; use such landmarks only with `LOOK_BACK` searches
+   *        estimate distances on the surface
    * \param np an optional named parameter `visitor`, a model of `FlipOutVisitor`, of which only `go_further()` is
    *        called, before each search and about once per thousand vertices. If it returns `false`, `is_complete()`
    *        returns `false`, and all bounds are zero
@@ -124,7 +124,7 @@ enum class Search_method {
   /// a search for a shortest edge path, guided towards the target by the lower bound of the metric; equivalent to
   /// `DIJKSTRA` if this bound is zero
   A_STAR,
-  DIJKSTRA ///< a search for a shortest edge path in all directions
+  DIJKSTRA ///< a search in all directions for a shortest edge path
 };
 
 namespace internal {
@@ -237,7 +237,7 @@ public:
    * \param visit a function object
    * \param np an optional named parameter `visitor`, a model of `FlipOutVisitor`, of which only `go_further()` is
    *        called, about once per thousand vertices. If it returns `false`, the remaining vertices are not visited
-   * \return whether all these vertices have been visited
+   * \return whether all reachable vertices have been visited
    * \throws Vertex_out_of_range_error if `source` is not a vertex of the input
    * \throws Invalid_coordinate_error if the length of an edge that the search visits is negative or not finite
    */

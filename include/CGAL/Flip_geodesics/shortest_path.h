@@ -68,12 +68,12 @@ struct Shortest_path_report
   /// Returns an upper bound on the difference between the length of the path and that of a shortest path.
   double gap() const { return (std::max)(length - lower_bound, 0.0); }
 
-  /// Returns 1e-10. A path with the verdict `WITHIN_TOLERANCE` exceeds the length of a shortest path by at most this
-  /// fraction of its length.
+  /// Returns 1e-10. A path with the verdict `WITHIN_TOLERANCE` is longer than a shortest path by at most this fraction
+  /// of its length.
   static constexpr double tolerance() { return internal::confirmed_gap; }
 
-  /// Returns 1e-12. A path with the verdict `WITHIN_ROUNDING` exceeds the length of a shortest path by at most this
-  /// fraction of its length.
+  /// Returns 1e-12. A path with the verdict `WITHIN_ROUNDING` is longer than a shortest path by at most this fraction
+  /// of its length.
   static constexpr double rounding_tolerance() { return internal::proven_gap; }
 };
 
@@ -197,8 +197,8 @@ public:
   /*!
    * Checks whether the landmarks can have been computed for the input of a triangulation.
    *
-   * The function compares the numbers of vertices, edges and faces. It also compares one edge of each border and
-   * `number_of_landmarks()` edges at landmarks: their lengths, and whether they lie on the border. It thus detects
+   * The function compares the numbers of vertices, edges and faces. It also compares one edge of each border and at
+   * most `number_of_landmarks()` edges at landmarks: their lengths, and whether they lie on the border. It thus detects
    * additional and missing faces and, in most cases, a different mesh or metric, but it does not detect every vertex
    * that has moved. The bounds hold only for the mesh and the metric for which they were computed.
    *
@@ -914,8 +914,8 @@ Computed_output<Form, Shortest_path_report> compute_shortest_path_between(
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \return the past-the-end output iterator, and a report. The `Curve_report::point_distances` in the report are the
- *         distances of the given points from the surface. They are empty if both ends are given as vertices
+ * \return the past-the-end output iterator, and a report, in which `Curve_report::point_distances` contains the
+ *         distances of the given points from the surface. It is empty if both ends are given as vertices
  *
  * \throws Vertex_out_of_range_error as `geodesic_path()` does
  * \throws Disconnected_endpoints_error as `geodesic_path()` does

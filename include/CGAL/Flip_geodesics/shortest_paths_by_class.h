@@ -34,7 +34,7 @@ namespace CGAL::Flip_geodesics {
 enum class Class_search_status {
   FOUND,             ///< a path has been found for each requested class
   NO_MORE_CLASSES,   ///< fewer classes exist than requested, and a path has been found for each
-  COVERING_LIMIT,    ///< the `Covering_limit` was exceeded; paths may be missing or not be shortest
+  COVERING_LIMIT,    ///< the `Covering_limit` was exceeded; paths may be missing, or may not be shortest
   STOPPED_BY_VISITOR ///< `go_further()` of the visitor returned `false`, and no paths are returned
 };
 

@@ -57,8 +57,8 @@ namespace CGAL::Flip_geodesics {
  * unfolded into a plane, and the unfolded target gives the result. The error of the result is therefore a few rounding
  * errors per edge, and does not include the error of the distances.
  *
- * The map is discontinuous across the cut locus, the set of points that shortest paths reach from two sides. At such a
- * point, rounding errors determine which of these paths is chosen.
+ * The map is discontinuous across the cut locus, the set of points that several shortest paths reach. At such a point,
+ * rounding errors determine which of these paths is chosen.
  *
  * A map must not be used by two threads at once, not even through its `const` members. The `const` members of its
  * triangulation and of its `distance_field()` are thread-safe.
@@ -71,7 +71,7 @@ class Logarithmic_map
   using Transport_sleeve = internal::Transport_sleeve<Triangulation>;
 
 public:
-  using Triangle_mesh = typename Triangulation::Triangle_mesh; ///< the mesh
+  using Triangle_mesh = typename Triangulation::Triangle_mesh; ///< the type of the mesh
 
   /*!
    * Computes the distances from the source.
@@ -468,8 +468,8 @@ Place_in_space transported_vector(const Triangulation& triangulation, const std:
  * \throws Invalid_curve_error if the range is empty, or two consecutive locations do not lie in a common face
  * \throws Vertex_out_of_range_error if a vertex does not belong to the mesh
  * \throws Invalid_location_error if a point does not lie on the mesh
- * \throws Invalid_parameter_error if the angle is not finite, or the halfedge is not a side of a face that contains the
- *         start
+ * \throws Invalid_parameter_error if the angle is not finite, or the halfedge is not one that `trace_geodesic()`
+ *         accepts
  * \throws Degenerate_face_error if a face along the curve has a degenerate edge or violates the triangle inequality
  * \throws Invalid_coordinate_error if a face along the curve has an invalid coordinate
  * \throws Invalid_mesh_error if a face along the curve is invalid

@@ -167,12 +167,12 @@ Value picture_place(double x, double y)
  *
  * In texture coordinates, the image is the unit square. Along each ray from its center, lengths are preserved up to the
  * scale; curvature stretches or compresses the image in the perpendicular direction. The logarithmic map is
- * discontinuous where shortest paths arrive from two sides, and degenerates to a line behind a vertex at which these
+ * discontinuous where shortest paths arrive from two sides, and degenerates to a line behind a vertex at which shortest
  * paths bend.
  *
- * A face that the logarithmic map would therefore reverse, or one of whose sides it would make more than twice as long,
- * is unfolded separately, along the shortest path from the source point to the center of the face. The coordinates of
- * the corners of such a face can differ from those of the same vertices in adjacent faces.
+ * If the logarithmic map would therefore reverse a face, collapse it to a line, or make a side more than twice as long,
+ * the face is unfolded separately, along the shortest path from the source point to its center. The coordinates of the
+ * corners of such a face can differ from those of the same vertices in adjacent faces.
  *
  * \param mesh a triangle mesh
  * \param source the source point: a vertex, a `CGAL::Polygon_mesh_processing::Face_location` or a point in space

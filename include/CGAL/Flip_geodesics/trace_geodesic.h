@@ -371,8 +371,8 @@ public:
    *        `at_vertices` of `trace_geodesic()`
    * \return a report with the end of the geodesic
    * \throws Invalid_location_error if `source` is not a point of the surface
-   * \throws Invalid_parameter_error if the angle is not finite; if its halfedge is not a side of a face that contains
-   *        the source and does not start at the source; if the two coefficients are zero or not finite, or belong to a
+   * \throws Invalid_parameter_error if the angle is not finite; if its halfedge neither is a side of a face that
+   *        contains the source nor starts at the source; if the two coefficients are zero or not finite, or belong to a
    *        border halfedge; if the length is negative or not finite; or if the number of iterations is negative
    * \throws Degenerate_face_error if a face has a degenerate edge or violates the triangle inequality, or the direction
    *         lies in a degenerate face
@@ -560,7 +560,7 @@ private:
  * \throws Invalid_location_error if the source does not lie on the mesh
  * \throws Invalid_parameter_error if the length or the direction is not finite; if the length or the number of
  *         iterations is negative; if the vector has no component in the plane of the face; or if the halfedge does not
- *         satisfy its condition
+ *         satisfy the condition stated above
  * \throws Degenerate_face_error if a face has a degenerate edge or violates the triangle inequality, or the direction
  *         at the start points into a degenerate face
  * \throws Invalid_coordinate_error if a coordinate or an edge length is not finite or out of range
