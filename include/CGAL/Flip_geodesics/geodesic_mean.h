@@ -77,8 +77,8 @@ struct Mean_limits
  *
  * The logarithmic map provides the vectors from the current point to the given points. Each step follows a straightest
  * geodesic from the current point in the direction of the weighted mean of these vectors, and is at most as long as
- * this mean. If a step does not decrease the sum of squared distances, up to rounding errors, a step of half its length
- * is tried. In the plane, one step suffices.
+ * that mean vector. If a step does not decrease the weighted sum of squared distances, up to rounding errors, a step of
+ * half its length is tried. In the plane, one step suffices.
  *
  * Several means can exist; the result then depends on the point at which the search starts. On a mesh of needles, the
  * vectors can be less precise than the tolerance requires. The status can then depend on the numbering of the vertices

@@ -170,9 +170,9 @@ Value picture_place(double x, double y)
  * discontinuous where shortest paths arrive from two sides, and degenerates to a line behind a vertex at which shortest
  * paths bend.
  *
- * If the logarithmic map would therefore reverse a face, collapse it to a line, or make a side more than twice as long,
- * the face is unfolded separately, along the shortest path from the source point to its center. The coordinates of the
- * corners of such a face can differ from those of the same vertices in adjacent faces.
+ * If the logarithmic map would therefore reverse a face, collapse it to a line, or more than double the length of a
+ * side, the face is unfolded separately, along the shortest path from the source point to the center of the face. The
+ * coordinates of the corners of such a face can differ from those of the same vertices in adjacent faces.
  *
  * \param mesh a triangle mesh
  * \param source the source point: a vertex, a `CGAL::Polygon_mesh_processing::Face_location` or a point in space
