@@ -140,8 +140,8 @@ inline std::vector<double> sorted_levels(const std::vector<double>& levels)
  * \cgalNamedParamsEnd
  *
  * \return the past-the-end output iterator
- * \throws Invalid_parameter_error if a level is not finite; if the tolerance is not positive, not finite, or less than
- *         1e-14 of a side of a face, or would require more parts of faces than 32-bit indices can number; if the field
+ * \throws Invalid_parameter_error if a level is not finite; if the tolerance is not positive, not finite, less than
+ *         1e-14 of a side of a face, or so small that 32-bit indices cannot number the parts of faces; if the field
  *         returns NaN; or if the field is a `Geodesic_distance_field` that has not been computed, or that has the
  *         extent `VERTICES_ONLY` and must be evaluated inside a face
  * \throws Invalid_mesh_error if a face is not a triangle
@@ -312,7 +312,7 @@ struct Voronoi_boundary : Located_polyline<TriangleMesh, Point>
  * \throws Invalid_mesh_error if a face is not a triangle
  * \throws Invalid_coordinate_error if a coordinate is not finite or is too large
  *
- * Complexity: the field is evaluated once per vertex, and about forty times for each piece of length \f$t\f$ of a
+ * Complexity: the field is evaluated once per vertex, and about fifty times for each piece of length \f$t\f$ of a
  * boundary. The number of all other evaluations is at most a small multiple of \f$s / t\f$.
  *
  * \sa `isolines()`

@@ -67,7 +67,7 @@ public:
       m_rows = internal::Landmark_rows(); // all bounds are zero
   }
 
-  /// Returns whether the distances are known. They are unknown if a visitor stopped the construction.
+  /// Returns whether the construction was completed; a visitor can stop it.
   bool is_complete() const { return m_is_complete; }
 
   /// Returns the number of vertices of the mesh.

@@ -182,7 +182,7 @@ public:
          [&](const Choice& choice, const auto&) { return choice.given_vertices(given); });
   }
 
-  /// Returns whether the bounds are known. They are unknown if a visitor stopped the construction.
+  /// Returns whether the construction was completed; a visitor can stop it.
   bool is_complete() const { return m_is_complete; }
 
   /// Returns the largest number of landmarks in a component.
