@@ -304,9 +304,8 @@ public:
    *         a target is not a vertex
    *
    * Complexity: linear in the number of windows plus, for each round of the propagation, the number of edges that the
-   * wavefront crosses. On smooth meshes of up to about ten thousand faces, the field has 10 to 25 windows per face;
-   * this number grows like \f$\sqrt{n}\f$, where \f$n\f$ is the number of faces. In the worst case, the field has
-   * \cgalBigO{n^2} windows in total.
+   * wavefront crosses. On smooth meshes, the number of windows per face grows like \f$\sqrt{n}\f$, where \f$n\f$ is the
+   * number of faces (\ref Flip_geodesicsFieldTimes). In the worst case, the field has \cgalBigO{n^2} windows in total.
    */
   template <class ConcurrencyTag = Sequential_tag, class... NamedParameters>
   Distance_field_report compute(const NamedParameters&... np)

@@ -92,7 +92,7 @@ struct Geodesic_tree_report
  * acceptance of a vertex is revoked if a new edge gives a shorter path to it. The finished tree is therefore a shortest
  * path tree of the edge graph of the final triangulation.
  *
- * If the status is `LOCALLY_SHORTEST`, the paths are locally shortest and do not cross. Most of them are globally
+ * The paths do not cross. They are locally shortest if the status is `LOCALLY_SHORTEST`. Most of them are globally
  * shortest; `make_shortest()` replaces the others.
  *
  * A tree that has been grown satisfies an invariant, which `is_valid()` checks: the distance of a reached vertex is the

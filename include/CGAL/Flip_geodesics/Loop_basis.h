@@ -453,9 +453,9 @@ Handle_and_tunnel_loops handle_and_tunnel_loops(const Triangulation& triangulati
  * outside the solid. Each component is treated as if it were the only one, and a component of genus \f$g\f$ has \f$g\f$
  * loops of each kind. All loops together form a basis of the first homology group with integer coefficients.
  *
- * The function decides exactly which homology classes bound a surface inside or outside the solid. The decisions are
- * based on linking numbers of loops that are pushed off the surface; these numbers are computed by counting crossings
- * in a projection.
+ * The function decides exactly, for coordinates rounded to double, which homology classes bound a surface inside or
+ * outside the solid. The decisions are based on linking numbers of loops that are pushed off the surface; these numbers
+ * are computed by counting crossings in a projection.
  *
  * The loops are chosen from candidates. Each candidate consists of an edge and two paths to its ends in a shortest path
  * tree, whose root is a base point or a vertex near a handle. The candidates that bound a surface inside or outside the

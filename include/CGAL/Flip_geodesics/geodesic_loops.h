@@ -317,7 +317,7 @@ std::vector<Halfedge_index> shortest_loop(const Triangulation& triangulation, Lo
 /*!
  * \ingroup PkgFlipGeodesicsLoops
  *
- * Computes the shortest edge loop of a given kind through a vertex \cgalCite{EH04}.
+ * Computes a shortest edge loop of a given kind through a vertex \cgalCite{EH04}.
  *
  * \param triangulation a model of `IntrinsicTriangulationOfMesh`; its input is searched, and lengths are those of its
  *        metric
@@ -356,7 +356,7 @@ std::vector<Halfedge_index> shortest_loop(const Triangulation& triangulation, Ve
 /*!
  * \ingroup PkgFlipGeodesicsLoops
  *
- * Computes the shortest edge loop of a given kind on a surface.
+ * Computes a shortest edge loop of a given kind on a surface.
  *
  * The parameters and exceptions are those of `shortest_loop()` through a given vertex.
  *

@@ -118,8 +118,8 @@ enum class Search_method {
   /// times as many edges after a search for a shortest edge path as after this search.
   ///
   /// The lower bound on the remaining distance is multiplied by 1.1 (weighted A*), so that paths of nearly equal length
-  /// need not be compared. The search usually visits at most a third as many vertices as `A_STAR`. If the metric has no
-  /// lower bound and no landmarks are given, the method is equivalent to `DIJKSTRA`.
+  /// need not be compared. The number of visited vertices is typically 20 to 60 % of that of `A_STAR`. If the metric
+  /// has no lower bound and no landmarks are given, the method is equivalent to `DIJKSTRA`.
   LOOK_BACK,
   /// a search for a shortest edge path, guided towards the target by the lower bound of the metric; equivalent to
   /// `DIJKSTRA` if this bound is zero
