@@ -8,8 +8,8 @@
  * \ingroup PkgFlipGeodesicsRef
  * Includes all headers of the package except the following, which must be included separately:
  * `Exact_intrinsic_triangulation_traits.h`; the headers that require Eigen, `Operators.h`, `Direction_field.h` and
- * `Conformal_flattening.h`; `insert_curves.h` and `polygon_soup_to_triangle_mesh.h`, which include packages of CGAL
- * under the GPL; and `Repair_report.h`, which the latter includes.
+ * `Conformal_flattening.h`; `insert_curves.h` and `polygon_soup_to_triangle_mesh.h`, which include headers of CGAL
+ * packages licensed under the GPL; and `Repair_report.h`, which `polygon_soup_to_triangle_mesh.h` includes.
  */
 
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>

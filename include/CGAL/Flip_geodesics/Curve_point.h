@@ -103,8 +103,7 @@ auto face_location_of(const Triangulation& triangulation, const TriangleMesh& me
  * \ingroup PkgFlipGeodesicsExtraction
  *
  * Converts a location to a `CGAL::Polygon_mesh_processing::Face_location`. The barycentric coordinates are the weights
- * of the location. If the sum of the weights differs from one by more than 1e-6, which is also the tolerance of
- * `surface_location()`, the weights are divided by this sum.
+ * of the location. If the sum of the weights differs from one by more than 1e-6, the weights are divided by this sum.
  * \throws Invalid_location_error if the location is not a point of the surface
  */
 template <class Triangulation>

@@ -17,7 +17,7 @@ namespace CGAL::Flip_geodesics {
 /// Lists the kinds of repairs that `polygon_soup_to_triangle_mesh()` makes and that a `Repair_report` counts.
 enum class Repair {
   POINTS_NOT_FINITE,        ///< points with a NaN or infinite coordinate, whose polygons are removed
-  POINTS_WELDED,            ///< points moved to another point within the tolerance
+  POINTS_WELDED,            ///< points moved to another point within the weld tolerance
   POLYGONS_WITHOUT_POINTS,  ///< polygons removed because of an invalid index or a point that is not finite
   POLYGONS_COLLAPSED,       ///< polygons removed because they have fewer than three distinct corners
   CORNERS_REPEATED,         ///< corners removed because they coincide with the previous corner
@@ -158,15 +158,15 @@ public:
   /// Returns the number of polygons of the soup.
   std::size_t number_of_polygons() const { return m_record.number_of_polygons; }
 
-  /// Returns the number of the point from which a vertex of the mesh comes.
+  /// Returns the point from which a vertex of the mesh comes.
   std::size_t point_of_vertex(std::size_t vertex) const { return m_record.point_of_vertex[vertex]; }
 
-  /// Returns the number of the polygon from which a face of the mesh comes.
+  /// Returns the polygon from which a face of the mesh comes.
   std::size_t polygon_of_face(std::size_t face) const { return m_record.polygon_of_face[face]; }
 
-  /// Returns the vertices that come from a point and have faces. These are several vertices if the vertex of the point
-  /// was split, and the vertex of another point if the two points were merged. If the point has no faces, the result is
-  /// empty.
+  /// Returns the vertices that come from a point and have faces. If the vertex of the point was split, the result
+  /// contains several vertices. If the point was merged into another point, the result contains vertices of that
+  /// point. If the point has no faces, the result is empty.
   Elements vertices_of_point(std::size_t point) const { return elements(m_record.vertices_of_points, point); }
 
   /// Returns the triangles that come from a polygon. The result is empty if the polygon was removed, or if flips have

@@ -137,7 +137,7 @@ auto graph_edge(Halfedge h, const TriangleMesh& mesh)
  * to it. A vertex descriptor of the mesh can be converted to the descriptor of the first copy of the vertex.
  *
  * The class is a model of `FaceListGraph` and `HalfedgeListGraph`, with the points of the mesh. A slit mesh can be
- * passed as a mesh to all functions of this package that only read their mesh. Functions that return a mesh then
+ * passed to all functions of this package that do not modify the mesh. Functions that return a mesh then
  * require the type of the result as a template argument, because elements cannot be added to a slit mesh.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`

@@ -177,7 +177,7 @@ Surface_location canonical_location(const Input_mesh& input, Surface_location lo
  * 1e-100, even if it would be rounded to 0; inside a face, the same holds for `t` and `u`.
  *
  * Even if degenerate edges were contracted, `a`, `b` and `c` are the ends of an edge or the corners of a face of the
- * original mesh. At a merged vertex, `a` and `b` are equal, and are one of the vertices that were merged.
+ * original mesh. At a merged vertex, `a` equals `b` and is one of the vertices that were merged.
  */
 struct Surface_point
 {
@@ -299,7 +299,8 @@ using Has_points = std::negation<std::is_void<typename Metric_point<Metric>::typ
 /*!
  * \ingroup PkgFlipGeodesicsExtraction
  *
- * Returns the position in space of a surface point. Available only if the metric has points. Complexity: constant.
+ * Returns the position in space of a surface point. The function is available only if the metric has points in space.
+ * Complexity: constant.
  */
 template <class Triangulation>
 auto point_in_space(const Triangulation& triangulation, const Surface_point& p)

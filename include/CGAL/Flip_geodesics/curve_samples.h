@@ -35,7 +35,7 @@ namespace CGAL::Flip_geodesics {
  * loop that passes through no vertex and bounds a disk, a vector is rotated by the holonomy of the loop, which is the
  * sum of the angle defects of the vertices in the disk.
  *
- * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; flips made in it do not affect the result
+ * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; flips do not affect the result
  */
 template <class Triangulation>
 class Parallel_transport
@@ -95,7 +95,7 @@ private:
  * direction of the curve at a given length from the start, measured along the curve. A length that exceeds `length()`
  * only by rounding errors counts as `length()`.
  *
- * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; flips made in it do not affect the result
+ * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; flips do not affect the result
  */
 template <class Triangulation>
 class Located_curve
@@ -153,7 +153,7 @@ public:
    * continues. The location of the end refers to the face in which the curve arrives. If the curve is a point, this
    * point is returned for every length.
    *
-   * \throws Invalid_parameter_error if the length is not between 0 and `length()` and the curve is not a point
+   * \throws Invalid_parameter_error if the curve is not a point and the length is not between 0 and `length()`
    *
    * Complexity: logarithmic in the number of locations.
    */
@@ -233,8 +233,8 @@ private:
  * Returns the counterclockwise angle from one direction at a location to another direction at this location. If the
  * location is not a vertex, the result is at least 0 and less than \f$2\pi\f$. At an interior vertex, the result is at
  * least 0 and less than the sum of the angles around the vertex. At a border vertex, where a full turn does not exist,
- * the result is the angle of the second direction minus that of the first, both measured from one halfedge, and can be
- * negative.
+ * the result is the angle of the second direction minus that of the first, both measured from the same halfedge, and
+ * can be negative.
  *
  * \throws Invalid_location_error if `location` is not a point of the surface
  * \throws Degenerate_face_error if a face of the location has a degenerate edge or violates the triangle inequality
@@ -348,7 +348,7 @@ Located_curve<Triangulation> located_curve(const Triangulation& triangulation, c
  * \param mesh a triangle mesh
  * \param curve a range of vertices or of `CGAL::Polygon_mesh_processing::Face_location`s. Any two consecutive elements
  *        must lie in a common face. Such ranges are written, for example, by `geodesic_path()` and `trace_geodesic()`;
- *        the member `locations` of an `Isoline` is one as well
+ *        the member `locations` of an `Isoline` is also such a range
  * \param number the number of samples, at least 2; on a closed curve, the first and the last sample lie at the same
  *        point
  * \param out an output iterator that receives `Curve_sample`s

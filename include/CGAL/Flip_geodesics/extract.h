@@ -85,7 +85,7 @@ public:
 
   /*!
    * Writes the `Surface_point`s of a curve, from its start to its end; for a closed curve, the first point is repeated
-   * at the end. Nothing is written for a curve that has contracted.
+   * at the end. Nothing is written for a curve that has contracted to a point.
    *
    * Complexity: linear in the number of segments plus the number of crossed edges.
    */
@@ -155,7 +155,7 @@ public:
 
   /*!
    * Writes a curve as `Curve_point`s, which contain points in space, face locations, crossed halfedges and tangents. If
-   * the metric has no points, `Curve_place`s are written instead.
+   * the metric has no points in space, `Curve_place`s are written instead.
    *
    * The tangent at a point is the direction of the straight piece that starts at the point; at the last point, it is
    * the direction of the straight piece that ends there. This direction is accurate even if the two ends of the piece

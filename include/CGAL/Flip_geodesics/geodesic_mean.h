@@ -40,6 +40,7 @@ enum class Mean_status {
   ITERATION_LIMIT ///< the maximal number of steps has been tried
 };
 
+/// \ingroup PkgFlipGeodesicsTangents
 /// Returns the name of a status, spelled like the enumerator.
 inline const char* to_string(Mean_status status)
 {

@@ -7,8 +7,8 @@
  * \file insert_curves.h
  * \ingroup PkgFlipGeodesicsSubdivision
  * Inserts curves into a mesh in place. `Flip_geodesics.h` does not include this header, because this header includes
- * the \cgal package 2D Triangulations, which is licensed under the GPL. A program that includes this header is bound by
- * that license.
+ * headers of the \cgal package 2D Triangulations, which is licensed under the GPL. A program that includes this header
+ * is bound by the GPL.
  */
 
 #include <CGAL/Flip_geodesics/exceptions.h>
@@ -206,7 +206,7 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  * The mesh is unchanged if an exception is thrown, unless memory runs out or the visitor throws the exception.
  *
  * \param mesh a model of `MutableFaceGraph`, `FaceListGraph` and `HalfedgeListGraph`, in which no two faces have the
- *        same three vertices. A face must be a triangle only in the cases listed under `Invalid_mesh_error`
+ *        same three vertices. Faces need not be triangles except in the cases listed under `Invalid_mesh_error`
  * \param curves a range of curves, or a single one. A curve is a range of points, or has such a range as its member
  *        `locations`, like an `Isoline` or a `Voronoi_boundary`. A point is a vertex of the mesh, a
  *        `CGAL::Polygon_mesh_processing::Face_location`, a `Surface_location`, a `Surface_point`, a `Curve_point`, a
@@ -264,10 +264,10 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  *            `elements()` returns the position of the curve and, if it has points, the position of the second of these
  *            points in the curve
  * \exception Invalid_mesh_error if a face that contains a point or a segment of a curve, or a face beside a split edge,
- *            is not a triangle. If a point or a segment lies on the border of several faces, at least one of these
- *            faces is checked. If points in space are given, also if a face in which they are searched for is not a
- *            triangle. The exception is also thrown if the mesh is a `Surface_mesh` that contains removed vertices or
- *            edges, and a point is given as a vertex, a `Surface_location` or a `Surface_point`
+ *            is not a triangle. If a point or a segment lies on the boundary of several faces, at least one of these
+ *            faces is checked. The exception is also thrown if a face in which a point in space is searched for is not
+ *            a triangle, or if a point is given as a vertex, a `Surface_location` or a `Surface_point` and the mesh is
+ *            a `Surface_mesh` that contains removed vertices or edges
  * \exception Invalid_coordinate_error if a corner of such a face has a coordinate that is not finite. In this case,
  *            `elements()` returns the position of the corner in the range of vertices
  * \exception Invalid_parameter_error if the snapping tolerance is out of range

@@ -156,8 +156,8 @@ private:
  * With free junctions, each edge between two regions carries two segments, one for each region. The segments of a
  * region have the region on their left; they form closed curves, and paths from border to border. When the network is
  * shortened, the junctions can move. A gap that does not belong to any region can then open between the curves of
- * regions that met at one vertex. The regions still do not overlap, and every curve keeps its isotopy class among the
- * others.
+ * regions that met at one vertex. The regions still do not overlap, and every curve keeps its isotopy class relative to
+ * the other curves.
  *
  * If an exception is thrown, the network remains empty.
  *
@@ -216,8 +216,8 @@ Index add_region_boundaries(Network& network, const TriangleMesh& mesh, FaceRegi
  * \param network an empty network in a triangulation whose edges are those of the input
  * \param mesh the mesh of the triangulation
  * \param texture a model of `ReadablePropertyMap` with the halfedges of the mesh as keys, and values that can be
- *        compared by `!=`. The value of a halfedge contains the texture coordinates that its target has as a corner of
- *        its face
+ *        compared by `!=`. The value of a halfedge contains the texture coordinates of the corner of its face at its
+ *        target
  * \return the number of curves added
  *
  * Complexity: linear in the size of the mesh.
@@ -246,7 +246,7 @@ Index add_seams(Network& network, const TriangleMesh& mesh, HalfedgeTextureMap t
  * \param triangulation the triangulation, which is unchanged afterwards
  * \param polyline a range of points of the surface, of any type that `surface_location()` accepts
  * \param np the named parameter `is_closed`, a `bool`: whether the polyline is closed; `false` by default
- * \return the polyline, for `draw_polyline()` and `snap_polyline()`
+ * \return the completed polyline, which can be passed to `draw_polyline()` and `snap_polyline()`
  * \pre no edge of the triangulation has been flipped
  * \throws Occupied_triangulation_error if a network has curves in the triangulation, and two consecutive points do not
  *         lie in a common face
@@ -310,8 +310,8 @@ std::vector<Surface_location> complete_polyline(Triangulation& triangulation, co
  * \throws Invalid_curve_error if two consecutive points do not lie in a common face, or if the polyline has too few
  *         points
  * \throws Crossing_curves_error if a segment crosses another segment or a curve of the network between vertices;
- *         `elements()` returns the ends of the crossed edge. In this case, no curve is added, but points of the
- *         polyline may have become vertices
+ *         `elements()` returns the ends of the crossed edge. In this case, no curve is added, but points may have
+ *         become vertices, and edges may have been flipped
  * \throws Invalid_location_error if a location is not a point of the surface
  * \throws Insertion_error as `Edge_path_network::insert()` does
  * \throws Occupied_triangulation_error as `Edge_path_network::insert()` does
@@ -333,7 +333,7 @@ Curve_index draw_polyline(Network& network, const PointRange& polyline, const Na
  *
  * Snaps a polyline to a path of input edges, and returns the vertices of the path. Each point on an edge is moved to
  * the nearer end of the edge, and each end of an open polyline to the vertex with the largest weight. Other points
- * inside faces are ignored. Apart from the moves of the ends, the path is in the isotopy class of the polyline. No
+ * inside faces are ignored. Apart from the moves of the ends, the path is in the homotopy class of the polyline. No
  * vertex is added.
  *
  * \param triangulation the triangulation

@@ -215,12 +215,12 @@ void build_mesh(TriangleMesh& mesh, PointMap map, std::size_t number_of_vertices
  * - Polygons with more than three corners are triangulated.
  * - Triangles with the same corners as another triangle are removed. Two such triangles with opposite orientations are
  *   kept, however, if each of them is the only neighbor of the other, because they form a closed surface.
- * - Triangles are oriented consistently by means of `CGAL::Polygon_mesh_processing::orient_polygon_soup()`. Of the two
- *   orientations of a component, the one that more of its triangles have in the soup is chosen. Faces are cut apart at
+ * - Triangles are oriented consistently by means of `CGAL::Polygon_mesh_processing::orient_polygon_soup()`. Each
+ *   component receives the orientation that the majority of its triangles have in the soup. Faces are cut apart at
  *   edges with more than two faces, at vertices at which several umbrellas meet, and at edges across which the
  *   orientations cannot be made consistent.
- * - Points are welded if a tolerance is given: a point is moved to the nearest preceding point that has not been moved,
- *   unless a coordinate of the two points differs by more than the tolerance. Short edges can collapse in this way.
+ * - Points are welded if a tolerance is given: a point is moved to the nearest preceding unmoved point whose
+ *   coordinates all differ from its own by at most the tolerance. Short edges can collapse in this way.
  * - Border edges whose end points have equal coordinates are stitched with
  *   `CGAL::Polygon_mesh_processing::stitch_borders()`. If more than two border edges coincide, they are stitched in
  *   pairs: first the two edges of each component that has exactly two of them, then the remaining edges if exactly two
@@ -234,8 +234,8 @@ void build_mesh(TriangleMesh& mesh, PointMap map, std::size_t number_of_vertices
  * would be stitched.
  *
  * No point is moved unless a tolerance is given, and no new points are created. The vertex at position `i` of
- * `vertices(mesh)` comes from point `i`, regardless of the repairs. Vertices of points that were merged or lost their
- * faces are isolated and have no copies; `CGAL::Polygon_mesh_processing::remove_isolated_vertices()` removes them.
+ * `vertices(mesh)` comes from point `i`, regardless of the repairs. The vertices of points that were merged into other
+ * points or lost their faces are isolated; `CGAL::Polygon_mesh_processing::remove_isolated_vertices()` removes them.
  * Copies of split vertices follow the vertices of all points. Faces are in the order of the polygons from which they
  * come. A soup of triangles without defects therefore yields a mesh with the same elements in the same order, and an
  * empty report.

@@ -38,6 +38,7 @@ enum class Class_search_status {
   STOPPED_BY_VISITOR ///< `go_further()` of the visitor returned `false`, and no paths are returned
 };
 
+/// \ingroup PkgFlipGeodesicsFunctions
 /// Returns the name of a status, spelled like the enumerator.
 inline const char* to_string(Class_search_status status)
 {

@@ -597,8 +597,8 @@ auto subdivide_along_curves(const Network& network, const typename Network::Tria
  * \param mesh the input mesh
  * \return a `Surface_subdivision<Triangulation, OutputMesh>`, where `OutputMesh` is the type of `mesh` unless it is
  *         specified as the first template argument
- * \throws Invalid_mesh_error if the result has too many elements for 32-bit indices, or if a face that has not been
- *         accessed before is not a triangle
+ * \throws Invalid_mesh_error if the result has too many elements for 32-bit indices, or if a face that the
+ *         triangulation has not accessed before is not a triangle
  * \throws Degenerate_face_error if such a face has a degenerate edge or violates the triangle inequality
  * \throws Invalid_coordinate_error if such a face has a coordinate or length that is not finite or is out of range
  *

@@ -48,6 +48,7 @@ enum class Trace_status {
   CROSSING_LIMIT    ///< the geodesic has passed through the maximal number of edges and vertices
 };
 
+/// \ingroup PkgFlipGeodesicsTracing
 /// Returns the name of a status, spelled like the enumerator.
 inline const char* to_string(Trace_status end)
 {

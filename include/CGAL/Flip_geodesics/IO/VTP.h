@@ -274,7 +274,7 @@ namespace IO {
  *         the point, preceded by the number of the curve if the point belongs to a curve
  * \throws Invalid_mesh_error if a face is not a triangle, or a `Surface_mesh` contains removed elements
  * \throws Invalid_parameter_error if two sets of values at vertices have the same name, or if the name of such a set
- *         contains characters other than letters, digits and underscores
+ *         is empty or contains characters other than letters, digits and underscores
  *
  * Complexity: linear in the size of the data.
  */

@@ -18,8 +18,8 @@ namespace CGAL::Flip_geodesics::IO {
  * show lines one pixel wide. An object of this class is passed to `write_VTP()` and other writers along with the data,
  * and affects all curves of the call.
  *
- * A tube is a closed surface, oriented outwards. It has a cap at each end, or is a closed ring if the last point of the
- * curve equals the first. Around each point of the curve, the tube has a ring of corners in the plane that bisects the
+ * A tube is a closed surface, oriented outwards. It has a cap at each end, or is a torus if the last point of the curve
+ * equals the first. Around each point of the curve, the tube has a ring of corners in the plane that bisects the
  * angle of the curve at this point. If a curve bends too sharply for the radius, the tube intersects itself.
  */
 class Tubes

@@ -402,9 +402,10 @@ inline std::string checked_text(std::istream& in)
  *     input VERTICES HALFEDGES FINGERPRINT
  *     log N              then N lines: f H, the edge of H was flipped; r H, the face of H was recomputed;
  *                        v H GAP LOCATION_HALFEDGE W0 W1 W2, a vertex was inserted into the face of H, in the input
- *                        face at a gap of its edge sequence; e with the same fields, a vertex was inserted on
- *                        the edge of H
- *     curves C END       then for each: open|closed INITIAL_LENGTH S, and S lines: ID HALFEDGE IS_HEAD_FIXED
+ *                        face that the edge of H enters after GAP crossings; e with the same fields, a vertex was
+ *                        inserted on the edge of H
+ *     curves C END       the ids of segments are less than END; then for each curve: open|closed INITIAL_LENGTH S, and
+ *                        S lines: ID HALFEDGE IS_HEAD_FIXED
  *     stacks K           then K lines, one per bundle: EDGE N ID ... ID
  *     end CHECKSUM       the FNV-1a hash of all preceding lines
  *
