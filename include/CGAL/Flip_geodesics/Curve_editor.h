@@ -27,7 +27,8 @@ namespace CGAL::Flip_geodesics {
 /// Reports the effect of a move of a `Curve_editor`.
 struct Move_report
 {
-  std::size_t legs = 0;              ///< the number of recomputed legs: 1 or 2, or 0 if the point has not moved
+  /// The number of recomputed legs: 1 or 2, or 0 if the path of `Curve_editor::move_along()` is a single point.
+  std::size_t legs = 0;
   std::size_t legs_by_flips = 0;     ///< the number of recomputed legs that required edge flips
   Verdict verdict = Verdict::PROVEN; ///< the worst verdict on the recomputed legs
 };

@@ -76,8 +76,7 @@ Surface_location surface_location(
  * their number type is exact.
  *
  * Coordinates of at most `snap` count as exactly zero. For example, if rounding errors led to a coordinate of -5.6e-17
- * instead of zero, the point nevertheless lies on the intended edge or vertex. Among the functions that accept the
- * resulting `Surface_location`, only `insert_curves()` snaps it again.
+ * instead of zero, the point nevertheless lies on the intended edge or vertex.
  *
  * \param triangulation the triangulation
  * \param mesh the mesh of the triangulation
