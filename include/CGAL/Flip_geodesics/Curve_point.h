@@ -37,9 +37,9 @@ struct Curve_place
   /// vertex of `halfedge(face, mesh)`.
   std::pair<face_descriptor, std::array<double, 3>> location;
 
-  /// If the curve crosses an edge at this point, the halfedge of this edge in the face that the curve leaves. If an end
-  /// of the curve or an inserted vertex lies on an edge, this member is one of the two halfedges of the edge. At a
-  /// vertex of the mesh or inside a face, it is the null halfedge.
+  /// If the curve crosses an edge at this point, the halfedge of this edge in the face that the curve leaves. If the
+  /// point is an end of the curve or an inserted vertex on an edge, one of the two halfedges of the edge. At a vertex
+  /// of the mesh or inside a face, the null halfedge.
   halfedge_descriptor halfedge = boost::graph_traits<TriangleMesh>::null_halfedge();
 };
 

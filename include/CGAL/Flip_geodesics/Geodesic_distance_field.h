@@ -57,6 +57,7 @@ enum class Distance_field_status {
   STOPPED_BY_VISITOR
 };
 
+/// \ingroup PkgFlipGeodesicsDistances
 /// Returns the name of a status, spelled like the enumerator.
 inline const char* to_string(Distance_field_status status)
 {

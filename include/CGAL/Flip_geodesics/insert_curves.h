@@ -188,9 +188,9 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  *
  * A new vertex on an edge lies on the segment between the ends of the edge, at a parameter that is rounded to `double`.
  * A new vertex in a face is an affine combination of the corners of the face. If the kernel has exact constructions,
- * the new vertices lie exactly at these points, and crossings lie exactly on both curves. With such a kernel,
- * barycentric coordinates of an exact number type are not rounded inside faces, and a part of a face is degenerate only
- * if the face itself is degenerate.
+ * these positions are computed exactly, and crossings lie exactly on both curves. With such a kernel, barycentric
+ * coordinates of an exact number type are not rounded inside faces, and a part of a face is degenerate only if the face
+ * itself is degenerate.
  *
  * Rounded coordinates cannot distinguish vertices that are too close to each other. Therefore a point is moved to an
  * edge if one of its barycentric coordinates is at most the snapping tolerance (\f$10^{-9}\f$ for points in space), and
@@ -252,7 +252,7 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \return the numbers of new vertices, divided and new faces, and regions
+ * \return the numbers of new vertices, divided faces, new faces and regions
  *
  * \exception Invalid_location_error if a point does not lie on the surface; if a given face is null; or if barycentric
  *            coordinates are NaN, are negative by more than the snapping tolerance, or do not sum to one within
