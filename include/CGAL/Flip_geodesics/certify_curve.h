@@ -350,8 +350,9 @@ private:
  *        `geodesic_path()`
  * \return the certificate of the curve
  * \throws Invalid_curve_error if there are too few points, two consecutive points are equal or have no common face, a
- *         point other than an end lies inside a face, a crossed edge is on the border, or a closed curve does not start
- *         at a vertex. `elements()` returns the index of the invalid point in `curve`, if there is one
+ *         point other than an end lies inside a face, a crossed edge is on the border, a halfedge does not belong to
+ *         the mesh, or a closed curve does not start at a vertex. `elements()` returns the index of the invalid point
+ *         in `curve`, if there is one
  * \throws Invalid_location_error if the face of a location does not belong to the mesh, or if a weight of an end is
  *         negative, NaN, too small or too large
  * \throws Vertex_out_of_range_error if a vertex does not belong to the mesh or is isolated

@@ -123,8 +123,8 @@ namespace IO {
  * consists of a single point. `CGAL::IO::read_OBJ()` does not support the element `l`, but reads surfaces, tubes and
  * points.
  *
- * With an `IO::Texture`, the corners of faces have texture coordinates, `vt`, if these are finite; corners with equal
- * texture coordinates share one line `vt`. If `IO::Colors` names a material library, objects have materials.
+ * With an `IO::Texture`, the corners of textured faces have texture coordinates, `vt`; corners with equal texture
+ * coordinates share one line `vt`. If `IO::Colors` names a material library, objects have materials.
  *
  * \param destination a stream, or the name of a file, which is replaced if it exists
  * \param parts the data, as for `write_VTP()`; the named parameter `use_binary_mode` is ignored
