@@ -106,7 +106,8 @@ using Mesh_vertex = typename boost::graph_traits<TriangleMesh>::vertex_descripto
  * \throws Degenerate_face_error if a face violates the triangle inequality; or if the contraction of degenerate edges
  *         leaves no face at one of these edges, or disconnects the ends of the path
  * \throws Invalid_coordinate_error if a coordinate or an edge length is not finite or out of range
- * \throws Invalid_mesh_error if a visited face is not a triangle, or a `Surface_mesh` contains removed elements
+ * \throws Invalid_mesh_error if a visited face is not a triangle, or a `Surface_mesh` contains removed vertices or
+ *         edges
  *
  * Complexity: \cgalBigO{k \log k} for the \f$k\f$ vertices that the search visits, plus the time of `shorten()`. A mesh
  * other than a `Surface_mesh` is indexed first, in \cgalBigO{n \log n} time for \f$n\f$ faces.

@@ -272,7 +272,7 @@ namespace IO {
  *         curves and at separate points are NaN and thus never finite
  * \throws Invalid_coordinate_error if a coordinate is not finite; `elements()` returns the number of the vertex or of
  *         the point, preceded by the number of the curve if the point belongs to a curve
- * \throws Invalid_mesh_error if a face is not a triangle, or a `Surface_mesh` contains removed elements
+ * \throws Invalid_mesh_error if a face is not a triangle, or a `Surface_mesh` contains removed vertices or edges
  * \throws Invalid_parameter_error if two sets of values at vertices have the same name, or if the name of such a set
  *         is empty or contains characters other than letters, digits and underscores
  *
