@@ -22,7 +22,7 @@ namespace CGAL::Flip_geodesics {
  */
 enum class Verdict {
   PROVEN, ///< the claim holds exactly
-  /// no bend was found, but an angle was taken to be \f$\pi\f$ without proof because the work limit was reached; see
+  /// no bend was found, but a sign was assumed to be zero without proof because the work limit was reached; see
   /// `Decision_statistics::unproven_zeros`
   PROBABLE,
   /// the claim is false: a segment is not straight in its strip of input faces, has an edge sequence that does not
