@@ -87,8 +87,8 @@ try {
   std::vector<std::vector<Kernel::Point_3>> corners;
   for(const Field::Singularity& s : singularities) {
     corners.emplace_back();
-    for(FG::Halfedge_index h : field.operators().faces()[s.face].halfedges)
-      corners.back().push_back(mesh.point(triangulation.vertex(triangulation.tail(h))));
+    for(FG::Vertex_index v : field.operators().faces()[s.face].vertices)
+      corners.back().push_back(mesh.point(triangulation.vertex(v)));
   }
   if(!corners.empty())
     FG::IO::write_VTP("singular_faces.vtp", corners);

@@ -54,7 +54,7 @@ try {
   FG::Shortest_edge_path<Triangulation> search(triangulation);
   std::vector<Mesh::Vertex_index> loop;
   for(FG::Halfedge_index h : FG::shortest_halfedges_through(search, way_points, CGAL::parameters::is_closed(true)))
-    loop.push_back(triangulation.vertex(triangulation.tail(h)));
+    loop.push_back(source(triangulation.input_halfedge(h), mesh));
   //! [Waypoints]
 
   std::vector<Kernel::Point_3> points;

@@ -28,14 +28,14 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Triangulation = FG::Intrinsic_triangulation<Mesh>;
 
-void pull_tight(const Triangulation& triangulation, const Mesh& mesh, const std::string& kind,
+void shorten_and_write(const Triangulation& triangulation, const Mesh& mesh, const std::string& kind,
                 const std::vector<std::vector<FG::Halfedge_index>>& loops)
 {
   std::vector<std::vector<Kernel::Point_3>> geodesics;
   for(const std::vector<FG::Halfedge_index>& loop : loops) {
     std::vector<Mesh::Vertex_index> vertices;
     for(FG::Halfedge_index h : loop)
-      vertices.push_back(triangulation.vertex(triangulation.tail(h)));
+      vertices.push_back(source(triangulation.input_halfedge(h), mesh));
     geodesics.emplace_back();
     const auto result = FG::geodesic_loop(mesh, vertices, std::back_inserter(geodesics.back()));
     std::cout << "A " << kind << " loop of " << loop.size() << " edges has become a geodesic of length "
@@ -55,8 +55,8 @@ try {
   //! [Loops]
   const FG::Handle_and_tunnel_loops loops = FG::handle_and_tunnel_loops(triangulation);
   //! [Loops]
-  pull_tight(triangulation, mesh, "handle", loops.handles);
-  pull_tight(triangulation, mesh, "tunnel", loops.tunnels);
+  shorten_and_write(triangulation, mesh, "handle", loops.handles);
+  shorten_and_write(triangulation, mesh, "tunnel", loops.tunnels);
   return std::cout.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
 } catch(const std::exception& error) {
   std::cerr << error.what() << '\n';

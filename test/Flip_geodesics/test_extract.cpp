@@ -286,6 +286,16 @@ BOOST_AUTO_TEST_CASE(a_mollified_metric_makes_edges_of_length_zero_usable)
   Triangulation plain(mesh, embedded);
   BOOST_CHECK_THROW(FG::halfedges_through(plain, over), FG::Degenerate_face_error);
 
+  const Triangulation contracted(mesh, embedded, Triangulation::Traits(), FG::Zero_length_edges::CONTRACT);
+  Vertex_sequence merged;
+  for(FG::Vertex_index v : over)
+    merged.push_back(contracted.index(plain.vertex(v)));
+  BOOST_TEST((merged[1] == merged[2]));
+  const std::vector<FG::Halfedge_index> chain = FG::halfedges_through(contracted, merged);
+  BOOST_TEST_REQUIRE(chain.size() == 1u);
+  BOOST_TEST((contracted.tail(chain[0]) == merged[0] && contracted.head(chain[0]) == merged[1]));
+  BOOST_CHECK_THROW(FG::halfedges_through(contracted, Vertex_sequence{merged[1], merged[2]}), FG::Invalid_curve_error);
+
   const Mollified metric(mesh, embedded, 1e-4);
   BOOST_CHECK_GT(metric.added_length(), 0);
   Mollified_triangulation triangulation(mesh, metric);

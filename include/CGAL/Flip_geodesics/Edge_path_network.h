@@ -505,13 +505,13 @@ struct Internals<Edge_path_network<Triangulation>>
  * next one; if several edges connect them, the function chooses the shortest one.
  *
  * \param triangulation a model of `IntrinsicTriangulation`
- * \param vertices a range of vertices, as `Vertex_index`; for a closed chain, the first vertex must not be repeated at
- *        the end
+ * \param vertices a range of vertices, as `Vertex_index`; a vertex that equals the previous one is skipped. For a closed
+ *        chain, the first vertex need not be repeated at the end
  * \param np the named parameter `is_closed`, a `bool`: whether the chain leads back to the first vertex; `false` by
  *        default
  * \throws Vertex_out_of_range_error if an index does not belong to a vertex
- * \throws Invalid_curve_error if the range has fewer than two vertices, or contains two consecutive vertices that no
- *         edge connects
+ * \throws Invalid_curve_error if the range has fewer than two vertices, contains only one vertex several times, or
+ *         contains two consecutive vertices that no edge connects
  *
  * Complexity: linear in the sum of the degrees of the vertices.
  */
@@ -532,11 +532,16 @@ std::vector<Halfedge_index> halfedges_through(const Triangulation& triangulation
     v.push_back(v.front());
   std::vector<Halfedge_index> result;
   for(std::size_t i = 0; i + 1 < v.size(); ++i) {
+    if(v[i] == v[i + 1]) // for instance, because a degenerate edge was contracted
+      continue;
     result.push_back(internal::halfedge_between(triangulation, v[i], v[i + 1]));
     if(result.back() == null_index)
       internal::throw_naming<Invalid_curve_error>("a curve is not connected: no edge connects vertex ", v[i],
                                                   " and vertex ", v[i + 1]);
   }
+  if(result.empty())
+    internal::throw_naming<Invalid_curve_error>("all vertices of a curve are the same vertex, ", v.front(),
+                                                "; the curve would be a single point");
   return result;
 }
 

@@ -179,6 +179,8 @@ std::vector<Halfedge_index> contracted_halfedges_through(const Input_mesh& contr
     vertices.push_back(vertices.front());
   std::vector<Halfedge_index> result;
   for(std::size_t i = 0; i + 1 < vertices.size(); ++i) {
+    if(vertices[i] == vertices[i + 1])
+      continue;
     const Input_halfedge_index h = uncontracted_halfedge_between(contracted, vertices[i], vertices[i + 1]);
     if(h == null_index)
       throw_naming<Invalid_curve_error>("a curve is not connected: no edge connects vertex ", vertices[i],
@@ -279,7 +281,7 @@ Vertex_index vertex_on_surface(const Triangulation& triangulation, Vertex_index 
  * may run back and forth along an edge, and it is empty for a curve whose vertices all coincide. Otherwise, it is that
  * of `halfedges_through()`.
  *
- * \param vertices a range of indices in `vertices(mesh)`; a closed curve does not repeat the first
+ * \param vertices a range of indices in `vertices(mesh)`, as for `halfedges_through()`
  * \throws Degenerate_face_error if the curve leaves the remaining surface along degenerate faces
  * \throws as `halfedges_through()`
  *
