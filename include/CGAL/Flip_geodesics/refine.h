@@ -142,11 +142,12 @@ Refinement_report refine(Triangulation& triangulation, const OnSplit& on_split, 
  * faces, that is, faces that violate a bound and are not exempt. The worst face is processed first, and each insertion
  * is followed by flips \cgalCite{SSC19,section 4.3}. The edges of curves and of the border are constrained: if such an
  * edge lies between a face and its circumcenter, or is too close to the circumcenter, no vertex is inserted at the
- * circumcenter; the edge is split at a new vertex instead. Curves therefore remain geodesics of unchanged length, and
- * the surface does not change.
+ * circumcenter; the edge is split at a new vertex instead. Apart from rounding errors, curves therefore remain
+ * geodesics of unchanged length, and the surface does not change.
  *
- * \attention Since the positions of inserted vertices on curves are rounded, `certify()` can find a bend of the size of
- * a rounding error at such a vertex. Call `certify()` before the refinement.
+ * \attention Since the positions of inserted vertices on curves are rounded, also with exact kernels, `certify()`
+ * usually finds a bend of the size of a rounding error at such a vertex. Call `certify()` before the refinement. After
+ * it, `Straightness_meter` determines whether the curves are straight up to a tolerance.
  *
  * Bad faces are skipped in two cases. A face is *refused* if the precision is too low to represent the point at which a
  * vertex must be inserted. Faces are *given up* if `Refinement_options::maximum_insertions` is far too small, as on a
