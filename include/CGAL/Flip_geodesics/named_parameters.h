@@ -122,7 +122,8 @@ decltype(auto) joined(const NamedParameters& np, const Others&... others)
 {
   static_assert(is_named_parameters<NamedParameters>,
                 "an option is not a named parameter: pass it as parameters::stop_predicate(...), "
-                "parameters::search_limit(...) or the like, after all other arguments");
+                "parameters::search_limit(...) or the like, after all other arguments; the function does not take "
+                "another argument here");
   if constexpr(!is_named_parameters<NamedParameters>)
     return joined(others...); // avoids another error message
   else if constexpr(sizeof...(Others) == 0)

@@ -52,7 +52,7 @@ BOOST_AUTO_TEST_CASE(errors_name_the_position_of_a_point)
                                  "point 0: ");
   check_elements<Vertex_error>([&] { FG::surface_location(t, mesh, isolated); }, {i},
                                "a location is at vertex " + std::to_string(i));
-  check_elements<Vertex_error>([&] { FG::surface_location(t, mesh, none); }, {}, "a location is at a vertex, which");
+  check_elements<Vertex_error>([&] { FG::surface_location(t, mesh, none); }, {}, "a given vertex is not a vertex of the mesh");
   check_elements<Vertex_error>(
       [&] {
         FG::complete_polyline(t, std::vector<Vertex>{vertex(0), isolated});

@@ -253,10 +253,10 @@ void check_has_face(const Input_mesh& input, Input_halfedge_index h)
 
 [[noreturn]] inline void throw_no_face_at(Vertex_index v)
 {
-  constexpr const char* reason = ", which does not belong to any face of the mesh";
   if(!v.is_valid())
-    throw_naming<Vertex_out_of_range_error>("a location is at a vertex", reason);
-  throw_naming<Vertex_out_of_range_error>("a location is at vertex ", v, reason);
+    throw_naming<Vertex_out_of_range_error>("a given vertex is not a vertex of the mesh");
+  throw_naming<Vertex_out_of_range_error>("a location is at vertex ", v,
+                                          ", which does not belong to any face of the mesh");
 }
 
 inline bool is_vertex(Vertex_index v, Index number_of_vertices) { return v.is_valid() && v.idx() < number_of_vertices; }
