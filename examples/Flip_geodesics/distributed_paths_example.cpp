@@ -66,8 +66,8 @@ public:
   FG::Curve_report path(std::size_t source, std::size_t target)
   try {
     if(std::max(source, target) >= m_mesh.number_of_vertices())
-      throw std::invalid_argument("the mesh has " + std::to_string(m_mesh.number_of_vertices()) +
-                                  " vertices, numbered from 0");
+      throw std::invalid_argument("a vertex does not exist; the mesh has " +
+                                  std::to_string(m_mesh.number_of_vertices()) + " vertices, numbered from 0");
     if(!m_triangulation)
       m_triangulation = std::make_unique<Triangulation>(m_mesh);
     if(!m_search)

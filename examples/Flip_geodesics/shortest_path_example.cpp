@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Computes globally shortest paths, whereas geodesics are only locally shortest: a path between two vertices, also with
-// landmarks, a path between a vertex and a point in a face, and the distances of all vertices.
+// Computes a globally shortest path between two vertices, also with landmarks, one between a vertex and a point in a
+// face, and the distances of all vertices.
 //
 //   shortest_path_example MESH [SOURCE TARGET]
 //

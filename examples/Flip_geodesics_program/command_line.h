@@ -254,7 +254,7 @@ private:
     add("--json", "FILE", m_options.results.json,
         "write curves, distances, properties of the mesh and remarks as JSON; - for standard output");
     add("--output-format", "NAME", m_options.output_format,
-        "write the result on standard output (-o -) in the format of this file extension, such as obj");
+        "determine the format of the result on standard output (-o -) by this file extension, such as obj");
   }
 
   void add_ends()
@@ -359,8 +359,7 @@ private:
   {
     add("--avoid", "FILE", m_options.obstacles,
         "read one obstacle per line: the vertices of a barrier along edges, or faces `f n n ...`; given points must "
-        "not "
-        "lie on a barrier, except at one of its ends");
+        "not lie on a barrier, except at one of its ends");
   }
 
   void add_memory_limit()
@@ -415,7 +414,7 @@ private:
     add("--sample", "DISTANCE", m_options.sample, positive,
         "replace the points of each curve by equally spaced points that are at most this far apart");
     add("--page", "FILE", m_options.results.page,
-        "write an HTML page that shows the surface, the curves and the flips");
+        "write an HTML page that shows the surface, the curves and the flips, if any");
     add("--polylines", "FILE", m_options.results.polylines,
         "write one line per point, not in the format .polylines.txt: `curve a b t x y z` for a point of an edge, or "
         "`curve a b c t u x y z` for a point of a face");

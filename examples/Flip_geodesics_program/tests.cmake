@@ -176,7 +176,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                            "3 1 3 4\n3 3 0 4\n3 2 0 5\n3 1 2 5\n3 3 1 5\n3 0 3 5\n")
   flip_geodesics_add_program_test(samples_of_contracted 2 "--sample: curve --from, --to passes through degenerate edges; use --repair"
                                   path coincident.off --from 0 --to 1 --sample 0.2)
-  flip_geodesics_add_program_test(cut_along_contracted 2 "--insert and --cut: a curve passes degenerate edges; use --repair"
+  flip_geodesics_add_program_test(cut_along_contracted 2 "--insert and --cut: a curve passes through degenerate edges; use --repair"
                                   shortest coincident.off --from 0 --to 1 --ways 1 --cut x.off)
   flip_geodesics_add_program_test(near_sources_of_parts 0 "0 curves" distance coincident_parts.off --source 0,3
                                   --voronoi)

@@ -85,7 +85,7 @@ inline void check_soup(const Soup& soup)
                       ", but only triangles are accepted; triangulate the mesh");
     if(face[0] == face[1] || face[1] == face[2] || face[2] == face[0])
       throw Bad_input(name + " has vertex " + std::to_string(face[0] == face[1] ? face[0] : face[2]) +
-                      " twice; remove the face");
+                      " more than once; remove the face");
   }
 }
 

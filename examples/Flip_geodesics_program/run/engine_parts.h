@@ -52,7 +52,8 @@ std::string describe_tree(const Tree& tree, std::size_t flips)
 inline std::string describe_shortest_paths(const CGAL::Flip_geodesics::Distances_report& report)
 {
   if(!report.is_confirmed())
-    return "shortest not confirmed: the search for shorter paths was aborted or encountered degenerate faces\n";
+    return "shortest not confirmed: the search for shorter paths was aborted, or rounding errors or degenerate faces "
+           "prevent the confirmation\n";
   std::ostringstream out;
   out << "shortest " << readable(report.vertices - report.longer) << " paths, confirmed; "
       << readable(report.longer_before) << " were longer before the search, by up to "

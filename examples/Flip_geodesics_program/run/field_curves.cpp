@@ -212,7 +212,7 @@ double scale_of(const Mesh& mesh, const Metric& metric, const Path_conditions& c
       FG::internal::least_stretch_of_faces(metric, Mesh_metric(mesh.points()), FG::Numbered_mesh<Mesh>(mesh));
   if(scale == 0)
     throw Bad_input("with weights or --mollify, isolines and Voronoi boundaries require faces that are not degenerate; "
-                    "use --repair");
+                    "use --repair or remesh the surface");
   return scale;
 }
 
@@ -312,8 +312,8 @@ Field_curves curves_in_metric(const Slit_surface& surface, const Metric& metric,
   const bool is_computed = request.is_map || has_boundaries || has_isolines;
   if(is_computed &&
      field.compute(CGAL::parameters::visitor(std::ref(visitor))).status != FG::Distance_field_status::COMPLETE)
-    throw std::runtime_error(
-        "--source: the distances require more memory than allowed; simplify the mesh, or use --repair");
+    throw std::runtime_error("the distances cannot be computed: the mesh is too large or has degenerate faces; "
+                             "simplify it, or use --repair");
 
   Field_curves result;
   if(request.is_matrix)

@@ -219,7 +219,7 @@ Result_meshes meshes_along(const Mesh& mesh, const std::vector<Curve_result>& cu
   try {
     FG::insert_curves(inserted, locations, CGAL::parameters::edge_is_constrained_map(is_marked));
   } catch(const FG::Invalid_curve_error&) { // consecutive points share no face; it changes between coincident vertices
-    throw Bad_input("--insert and --cut: a curve passes degenerate edges; use --repair or omit them");
+    throw Bad_input("--insert and --cut: a curve passes through degenerate edges; use --repair or omit these options");
   }
   if(!options.insertion.empty())
     result.insertion = inserted;

@@ -66,9 +66,8 @@ Mesh_info mesh_info(const Mesh& mesh, const std::vector<std::string>& defects)
       ++edges_out_of_range;
   }
   if(edges_out_of_range > 0)
-    info.defects.push_back(
-        counted(edges_out_of_range, "edge has a length", "edges have lengths") +
-        " outside the range from 1e-70 to 1e70, with which no curves can be computed; scale the mesh");
+    info.defects.push_back(counted(edges_out_of_range, "edge has a length", "edges have lengths") +
+                           " outside the range from 1e-70 to 1e70; scale the mesh to compute curves");
   for(const Mesh::Face_index f : mesh.faces()) {
     ++info.components[component[f]].faces;
     info.degenerate_faces += PMP::is_degenerate_triangle_face(f, mesh) ? 1 : 0;

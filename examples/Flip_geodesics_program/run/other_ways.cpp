@@ -96,12 +96,13 @@ private:
         m_ways.curves.push_back(way(pair, i, report, paths[i]));
       if(paths.size() < m_request.number && report.status == FG::Class_search_status::COVERING_LIMIT)
         add_failure(pair, "the search reached the memory limit after " + readable(report.visited) +
-                              " vertices of the universal cover; request fewer paths or increase --memory-limit");
+                              " vertices of the universal cover; increase --memory-limit");
       note_others(pair, report);
     } catch(const FG::Disconnected_endpoints_error& error) {
-      add_failure(pair, m_request.obstacles.are_none()
-                            ? error.what()
-                            : "no path connects the two ends: without the obstacles, they lie in different components");
+      add_failure(pair,
+                  m_request.obstacles.are_none()
+                      ? error.what()
+                      : "no path connects the two ends: obstacles separate them, or they lie in different components");
     } catch(const FG::Error& error) {
       add_failure(pair, with_advice_to_repair(error));
     }

@@ -421,7 +421,7 @@ private:
   {
     if(!(m_angle_error <= tolerance))
       throw Flattening_error("the angle sums still differ from 2 pi by up to " + internal::written(m_angle_error) +
-                             ", since some faces are too thin for double precision; remesh the surface");
+                             ", which exceeds the tolerance " + internal::written(tolerance) + "; remesh the surface");
   }
 
   // Halves the step until the convex function decreases along all of it, that is, until the slope at its end is not

@@ -202,7 +202,7 @@ Refinement_report refine(Network& network, const Refinement_options& options = R
                          const NamedParameters&... np)
 {
   if(network.triangulation().number_of_holds() != internal::edges_under_curves(network).size())
-    throw Occupied_triangulation_error("the triangulation cannot be refined, since another network than the given one "
+    throw Occupied_triangulation_error("the triangulation cannot be refined, since a network other than the given one "
                                        "has curves in it");
   auto visitor = internal::make_visitor(internal::options_of<internal_np::visitor_t>(np...));
   return internal::refine(network.triangulation(), internal::Internals<Network>::divide_bundles(network), options,

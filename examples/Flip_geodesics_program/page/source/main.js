@@ -138,7 +138,7 @@ class Page {
     if (curve?.tree) return 'The page does not contain the flips of a tree.';
     if (this.playback) return 'No flips were needed.';
     if (!curve || curve.flips === 0) return 'This curve was computed without flips.';
-    return 'The page does not contain the flips of this curve, because the record was full or the curve crosses itself.';
+    return 'The page does not contain the flips of this curve.';
   }
 
   goTo(step) {

@@ -370,7 +370,9 @@ inline std::string checked_text(std::istream& in)
   std::string magic;
   int version = 0;
   if(!(start >> magic >> version) || magic != first_word)
-    throw File_format_error("the stream does not contain a saved network: its first word is not " + first_word, {0});
+    throw File_format_error("the stream does not contain a saved network: it does not begin with " + first_word +
+                                " and a version number",
+                            {0});
   if(version < 1 || version > network_version)
     throw File_format_error("the saved network has version " + std::to_string(version) + ", but only versions 1 to " +
                                 std::to_string(network_version) + " are known",
