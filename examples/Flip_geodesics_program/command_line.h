@@ -359,7 +359,7 @@ private:
   {
     add("--avoid", "FILE", m_options.obstacles,
         "read one obstacle per line: the vertices of a barrier along edges, or faces `f n n ...`; given points must "
-        "not lie on a barrier, except at one of its ends");
+        "not lie on a barrier");
   }
 
   void add_memory_limit()

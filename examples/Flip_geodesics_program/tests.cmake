@@ -567,7 +567,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   # Obstacles of distances and traces, and weights.
   flip_geodesics_add_program_test(distance_walled_off 0 "no isoline at distance 9: the distance of the farthest vertex is [0-9.]+; use"
                                   distance torus.off --source 13 --isolines 9 --avoid two_walls.txt)
-  flip_geodesics_add_program_test(distance_from_wall 2 "^flip_geodesics: vertex 3 lies on a barrier of --avoid, which has two sides"
+  flip_geodesics_add_program_test(distance_from_wall 2 "^flip_geodesics: vertex 3 lies on a barrier of --avoid, or where obstacles meet"
                                   distance torus.off --source 3 --map x.csv --avoid wall.txt)
   flip_geodesics_add_program_test(distance_inside_obstacle 2
                                   "point 1.0,2.0,0.3 lies inside an obstacle of --avoid; choose another point" distance

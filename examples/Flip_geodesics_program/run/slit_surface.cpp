@@ -95,7 +95,7 @@ std::string Slit_surface::obstruction(std::size_t number_of_places)
 {
   return number_of_places == 1   ? ""
          : number_of_places == 0 ? "lies inside an obstacle of --avoid; choose another point"
-                                 : "lies on a barrier of --avoid, which has two sides; choose a point next to it";
+                                 : "lies on a barrier of --avoid, or where obstacles meet; choose a point next to it";
 }
 
 Mesh::Halfedge_index Slit_surface::halfedge_of_mesh(Mesh::Halfedge_index h) const
