@@ -122,7 +122,7 @@ public:
   {
     if(m_number_of_curves > 0 && m_number_of_curves <= most_lines) {
       out << (m_are_pulled_tight
-                  ? "curve    source    target  segments     edge path      geodesic     flips  status   "
+                  ? "curve    source    target  segments       initial        length     flips  status   "
                     "            ms  certificate  name\n"
                   : "curve   segments        length  status            name\n");
       for(const std::string& line : m_lines)
