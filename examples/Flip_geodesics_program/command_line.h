@@ -269,7 +269,7 @@ private:
   void add_pairs()
   {
     add_ends();
-    add("--pairs", "FILE", m_options.pairs, "read the ends of one path per line, `source target`; # starts a comment");
+    add("--pairs", "FILE", m_options.pairs, "read the ends of one path per line, `source target`");
     add("--random", "NUMBER", m_options.random, {1, 1e7}, "compute this many paths between random vertices");
     add("--seed", "NUMBER", m_options.seed, not_negative, "set the seed of --random [1]");
   }
@@ -299,7 +299,7 @@ private:
   {
     add("--network", "FILE", m_options.network,
         "read one edge path per line, given by its vertices; a line `o v v ...` is a loop, and a line `! v ...` fixes "
-        "the curves at vertices");
+        "the curves at these vertices");
   }
 
   void add_seams() { add("--seams", m_options.has_seams, "use the texture seams of MESH, an OBJ file, as curves"); }
