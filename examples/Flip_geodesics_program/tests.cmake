@@ -92,7 +92,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
        "OFF\n10 8 0\n0 0 0\n2 0 0\n2 2 0\n0 2 0\n1 1 2\n1 1 2\n1 1 2\n0 nan 0\n-1 0 0\n-1 -1 0\n"
        "4 3 2 1 0\n3 0 1 4\n3 1 5 2\n3 2 3 4\n3 3 0 6\n3 0 1 4\n3 0 1 7\n3 0 8 9\n")
   file(WRITE ${program_dir}/pyramid_edges.txt "0 5 2\n")
-  file(WRITE ${program_dir}/pyramid.seg "0\n1\n1\n1\n1\n1\n1\n1\n")
+  file(WRITE ${program_dir}/pyramid.seg "# labels\n0 # the base\n1\n1\n1\n1\n1\n1\n1\n")
   file(WRITE ${program_dir}/collapsed.off "OFF\n3 1 0\n0 0 0\n1 1 1\n2 2 2\n3 0 1 2\n")
   file(WRITE ${program_dir}/quad_seam.obj "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nvt 0 0\nvt 1 0\nvt 1 1\n"
                                           "vt 0 1\nvt 5 5\nf 1/1 2/2 3/3 4/4\nf 2/5 5/2 6/3 3/4\n")
@@ -110,6 +110,8 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                     --random 1 --threads 99999999999)
     flip_geodesics_add_program_test(threads_and_page 2 "--threads and --page cannot be combined" path torus.off --random 2
                                     --threads 2 --page threads.html)
+    flip_geodesics_add_program_test(threads_and_page_as_output 2 "--threads and the page threads.html cannot be combined"
+                                    path torus.off --random 2 --threads 2 -o threads.html)
     # More than there are, without a word on standard error.
     flip_geodesics_add_program_test(many_threads 0 "30 LOCALLY_SHORTEST.*extract [^\n]*\n$" path torus.off --random 30
                                     --seed 7 --threads 1024)
@@ -409,6 +411,12 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(certify_loops 0 "certificates: 1 PROVEN 1 STRAIGHT_WITHIN_ROUNDING" certify small_torus.off
                                   --draw loops.polylines.txt)
   set_tests_properties(program_certify_loops PROPERTIES DEPENDS program_certify_loops_written)
+  # The first segment is bent by 1.6e-12 radians, and the curve turns at its end.
+  file(WRITE ${program_dir}/corner.off "OFF\n5 4 0\n0 0 0\n1 0.500000000001 0\n2 1 0\n1 2 0\n1 -2 0\n3 0 1 3\n3 1 2 3\n3 0 4 1\n"
+       "3 4 2 1\n")
+  file(WRITE ${program_dir}/corner.txt "0 1,3,0.1 2 3\n")
+  flip_geodesics_add_program_test(certify_corner 1 "BENT_JOINT at point 2, with a bend of 1.89255 radians" certify
+                                  corner.off --draw corner.txt)
   file(WRITE ${program_dir}/closed.polylines.txt "5 0 0 0 1 0 0 1 1 0 0 1 0 0 0 0\n")
   flip_geodesics_add_program_test(certify_closed 1 "BENT_JOINT at point 0, .*where the closed curve begins and ends"
                                   certify no_seam.obj --draw closed.polylines.txt)

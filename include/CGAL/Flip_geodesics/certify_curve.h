@@ -9,6 +9,7 @@
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Edge_sequences_of_places.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/contracted_surface.h>
+#include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
@@ -60,8 +61,8 @@ struct Given_curve_certificate
   /// The vertex type of the mesh.
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
 
-  /// The largest bend of the curve, rounded, in radians; 0 if the curve is not bent. If a segment is bent, the joints
-  /// are not examined.
+  /// The largest bend of the curve, rounded, in radians; 0 if the curve is not bent. The joints at the ends of a segment
+  /// that is bent by more than `Straightness::tolerance()` are not examined.
   ///
   /// The bend at a joint is \f$\pi\f$ minus the angle on the side `side`. For the bend of a segment, consider the
   /// shortest path that connects the ends of the segment and crosses the same edges as the segment: the bend is the
@@ -82,8 +83,9 @@ struct Given_curve_certificate
   std::vector<double> places;
   Decision_statistics statistics; ///< the filter failures, and how they were resolved
 
-  /// Returns the verdict, which is `BENT_JOINT` only if all segments are straight. If coordinates or lengths of the
-  /// mesh had to be rounded, the verdict is `UNDECIDED`, and the data members refer to the rounded mesh.
+  /// Returns the verdict; if the curve is bent, it states whether the largest bend is that of a segment or a joint. If
+  /// coordinates or lengths of the mesh had to be rounded, the verdict is `UNDECIDED`, and the data members refer to the
+  /// rounded mesh.
   Verdict verdict() const { return m_verdict; }
 
   /// Returns whether the curve is locally shortest, that is, whether the verdict is `PROVEN` or `PROBABLE`.
@@ -226,12 +228,15 @@ public:
   Given_curve_certificate<Mesh> operator()(std::size_t number_of_places, bool is_closed)
   {
     const std::vector<Segment_of_places>& segments = m_curve.segments();
+    std::vector<char> is_nearly_straight;
     for(const Segment_of_places& segment : segments)
-      look_at_segment(segment);
-    // The angle at a joint is that between its edge sequences, which are known to be straight now.
-    if(m_result.is_locally_shortest())
-      for(std::size_t i = is_closed ? 0 : 1; i < segments.size(); ++i)
-        look_at_joint(segments[i == 0 ? segments.size() - 1 : i - 1].sequence, segments[i]);
+      is_nearly_straight.push_back(bend_of_segment(segment) <= reported_bend ? 1 : 0);
+    // The angle at a joint is that between the straight lines of its edge sequences.
+    for(std::size_t i = is_closed ? 0 : 1; i < segments.size(); ++i) {
+      const std::size_t before = i == 0 ? segments.size() - 1 : i - 1;
+      if(is_nearly_straight[before] != 0 && is_nearly_straight[i] != 0)
+        look_at_joint(segments[before].sequence, segments[i]);
+    }
     if(m_result.m_verdict == Verdict::PROVEN && m_result.statistics.unproven_zeros > 0)
       m_result.m_verdict = Verdict::PROBABLE;
     if(m_result.is_locally_shortest())
@@ -242,11 +247,12 @@ public:
   }
 
 private:
-  void look_at_segment(const Segment_of_places& segment)
+  // Returns the bend of a segment, and records it.
+  double bend_of_segment(const Segment_of_places& segment)
   {
     Strip_obstacle obstacle;
     if(Straight_strip<Places>(m_curve.places(), m_result.statistics)(segment.sequence, &obstacle))
-      return;
+      return 0;
     const auto& crossed = segment.sequence.crossed;
     Portal_turn turn;
     if(obstacle.missing_angle > 0 || crossed.empty()) {
@@ -264,6 +270,7 @@ private:
     const bool is_on_left = is_crossed && tail(crossed[turn.portal]) != obstacle.vertex;
     note(Verdict::BENT_SEGMENT, turn.angle, obstacle.vertex, segment.start + (is_crossed ? 1 + turn.portal : 0),
          is_on_left ? Side::LEFT : Side::RIGHT);
+    return turn.angle;
   }
 
   void look_at_joint(const Edge_sequence& before, const Segment_of_places& segment)

@@ -295,8 +295,10 @@ BOOST_AUTO_TEST_CASE(the_bend_of_a_segment_is_told)
   Places round = {place(1), crossing(mesh.opposite(outgoing_halfedge(mesh, 2))), crossing(outgoing_halfedge(mesh, 3)),
                   crossing(outgoing_halfedge(mesh, 4)), place(5)};
   check_bend(certified(mesh, round), Verdict::BENT_SEGMENT, pi / 3, 0, 1, FG::Side::LEFT);
-  Places with_joint = round; // of joints nothing is said where segments are bent
+  Places with_joint = round; // only joints next to segments that are clearly bent are not examined
   with_joint.insert(with_joint.end(), {place(4), place(5)});
+  check_bend(certified(mesh, with_joint), Verdict::BENT_JOINT, pi, 4, 5, FG::Side::LEFT);
+  with_joint.pop_back();
   check_bend(certified(mesh, with_joint), Verdict::BENT_SEGMENT, pi / 3, 0, 1, FG::Side::LEFT);
   round.back() = crossing(outgoing_halfedge(mesh, 5));
   round.push_back(place(6));
@@ -335,6 +337,24 @@ BOOST_AUTO_TEST_CASE(the_bend_of_a_joint_is_told)
   check_bend(certified(grid, both), Verdict::BENT_JOINT, pi - angle, 0, 2, FG::Side::LEFT);
   std::reverse(both.begin(), both.end());
   check_bend(certified(grid, both), Verdict::BENT_JOINT, pi - angle, 0, 4, FG::Side::RIGHT);
+}
+
+// A segment that is bent by no more than rounding errors does not hide that the curve turns at its end.
+BOOST_AUTO_TEST_CASE(joints_next_to_nearly_straight_segments_are_examined)
+{
+  for(double offset : {1e-12, 1e-3}) {
+    const auto mesh = to_mesh<Surface>(Mesh_soup{{{0, 0, 0}, {1, 0.5 + offset, 0}, {2, 1, 0}, {1, 2, 0}, {1, -2, 0}},
+                                                 {{0, 1, 3}, {1, 2, 3}, {0, 4, 1}, {4, 2, 1}}});
+    const auto past_1 = crossing(mesh.halfedge(vertex(1), vertex(3)));
+    const auto alone = certified(mesh, {place(0), past_1, place(2)});
+    BOOST_TEST((alone.verdict() == Verdict::BENT_SEGMENT));
+    BOOST_TEST(std::abs(alone.bend - 2 * 0.8 * offset) < 2 * offset * offset + 1e-15);
+    const auto with_joint = certified(mesh, {place(0), past_1, place(2), place(3)});
+    if(offset < 1e-8)
+      check_bend(with_joint, Verdict::BENT_JOINT, 3 * pi / 4 - std::atan(0.5), 2, 2, FG::Side::LEFT);
+    else
+      BOOST_TEST(with_joint.bend == alone.bend);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(closed_curves_have_a_joint_at_their_start)
