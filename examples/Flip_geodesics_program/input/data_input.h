@@ -29,7 +29,7 @@ namespace program {
 inline std::vector<long long> read_labels(const Input_mesh& mesh, const Input_text& input)
 {
   std::vector<long long> labels;
-  Text_scanner words(input);
+  Text_scanner words(input, '#');
   for(std::string_view word; !(word = words.next_word_of_text()).empty();) {
     labels.push_back(0);
     if(const char* const error = parse_number(word, labels.back()))

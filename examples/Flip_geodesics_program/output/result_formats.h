@@ -46,6 +46,8 @@ inline void sort_outputs(Options& options)
                       "; use only one in this format");
   }
   names.outputs = meshes;
+  if(!names.page.empty() && options.threads > 1) // the page shows the steps of the curves one after the other
+    throw Bad_input("--threads and the page " + printable(names.page) + " cannot be combined; use one of them");
 }
 
 inline void check_result_format(const Options& options, const std::string& option, const std::string& name,
