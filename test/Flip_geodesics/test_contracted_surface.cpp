@@ -453,6 +453,7 @@ BOOST_AUTO_TEST_CASE(halfedges_that_are_left_lead_where_they_did)
     contracted_meshes += left.is_contracted() ? 1 : 0;
     for(FG::Input_halfedge_index h(0); h.idx() < input.number_of_halfedges(); ++h) {
       const FG::Input_halfedge_index g = left.contracted_halfedge(h);
+      BOOST_CHECK_EQUAL(left.index(input.halfedge(h)), g.is_valid() ? g : FG::Input_halfedge_index(FG::null_index));
       if(!g.is_valid()) {
         BOOST_CHECK(g != FG::internal::Contraction::is_point || at(input.tail(h)) == at(input.tail(twin(h))));
         continue;

@@ -127,7 +127,7 @@ public:
     bool is_aligned = false;
     for(std::size_t v = 0; v < n; ++v)
       if(std::abs(m_aligned[v]) > internal::canceled_directions) { // opposite directions cancel out up to rounding
-                                                                    // errors
+                                                                   // errors
         is_given[v] = 1;
         is_aligned = true;
       }

@@ -505,8 +505,8 @@ struct Internals<Edge_path_network<Triangulation>>
  * next one; if several edges connect them, the function chooses the shortest one.
  *
  * \param triangulation a model of `IntrinsicTriangulation`
- * \param vertices a range of vertices, as `Vertex_index`; a vertex that equals the previous one is skipped. For a closed
- *        chain, the first vertex need not be repeated at the end
+ * \param vertices a range of vertices, as `Vertex_index`; a vertex that equals the previous one is skipped. For a
+ *        closed chain, the first vertex need not be repeated at the end
  * \param np the named parameter `is_closed`, a `bool`: whether the chain leads back to the first vertex; `false` by
  *        default
  * \throws Vertex_out_of_range_error if an index does not belong to a vertex

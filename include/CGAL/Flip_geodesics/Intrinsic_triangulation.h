@@ -210,7 +210,8 @@ public:
   /// mesh.
   Vertex_index index(Mesh_vertex v) const { return input().index(v); }
   /// Returns the halfedge with the number that `input().index(h)` returns, or `null_index` if `h` is not a halfedge of
-  /// the mesh. The two halfedges correspond as long as the edge has been neither flipped nor split.
+  /// the mesh or was removed by the contraction of degenerate edges. The two halfedges correspond as long as the edge
+  /// has been neither flipped nor split.
   Halfedge_index index(Mesh_halfedge h) const { return internal::as_intrinsic(input().index(h)); }
 
   /// Returns the vertex of the input mesh that corresponds to `v`. \pre `v` was not inserted
@@ -486,10 +487,10 @@ public:
    * If `zero_length_edges` is `Zero_length_edges::CONTRACT`, the input of the triangulation is the contracted surface.
    * Of the vertices that are merged at a point, one represents all of them, and the others become isolated. If a face
    * has exactly one degenerate edge, the other two edges of the face become one edge. For an element of the mesh,
-   * `index()` returns the corresponding element of the triangulation. If a halfedge no longer exists, the result is not
-   * valid (see `Descriptor::is_valid()`). `input_halfedge()` returns one of the halfedges of the mesh that correspond
-   * to its argument. If several umbrellas of the contracted surface meet only at a point, each of them has its own
-   * vertex at this point, so the umbrellas are not connected at this point.
+   * `index()` returns the corresponding element of the triangulation; for a halfedge that no longer exists, it returns
+   * `null_index`. `input_halfedge()` returns one of the halfedges of the mesh that correspond to its argument. If
+   * several umbrellas of the contracted surface meet only at a point, each of them has its own vertex at this point, so
+   * the umbrellas are not connected at this point.
    *
    * If the mesh has neither degenerate edges nor pairs of degenerate faces as described at
    * `Zero_length_edges::CONTRACT`, the result is the same as with `Zero_length_edges::REFUSE`.

@@ -61,8 +61,8 @@ struct Given_curve_certificate
   /// The vertex type of the mesh.
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
 
-  /// The largest bend of the curve, rounded, in radians; 0 if the curve is not bent. The joints at the ends of a segment
-  /// that is bent by more than `Straightness::tolerance()` are not examined.
+  /// The largest bend of the curve, rounded, in radians; 0 if the curve is not bent. The joints at the ends of a
+  /// segment that is bent by more than `Straightness::tolerance()` are not examined.
   ///
   /// The bend at a joint is \f$\pi\f$ minus the angle on the side `side`. For the bend of a segment, consider the
   /// shortest path that connects the ends of the segment and crosses the same edges as the segment: the bend is the
@@ -84,8 +84,8 @@ struct Given_curve_certificate
   Decision_statistics statistics; ///< the filter failures, and how they were resolved
 
   /// Returns the verdict; if the curve is bent, it states whether the largest bend is that of a segment or a joint. If
-  /// coordinates or lengths of the mesh had to be rounded, the verdict is `UNDECIDED`, and the data members refer to the
-  /// rounded mesh.
+  /// coordinates or lengths of the mesh had to be rounded, the verdict is `UNDECIDED`, and the data members refer to
+  /// the rounded mesh.
   Verdict verdict() const { return m_verdict; }
 
   /// Returns whether the curve is locally shortest, that is, whether the verdict is `PROVEN` or `PROBABLE`.

@@ -166,8 +166,8 @@ public:
   }
 
   /*!
-   * Replaces each piece by a geodesic between its ends, in the homotopy class of the control polygon of the piece. The
-   * ends of the pieces lie on the curve.
+   * Computes a geodesic between the ends of each piece, in the homotopy class of the control polygon of the piece. The
+   * control polygons are kept, so `refine()` and `finish()` can be called again.
    * \return one polyline per piece: the start of the geodesic, the points at which the geodesic crosses edges, and its
    *         end
    * \throws Insertion_error as `refine()` does

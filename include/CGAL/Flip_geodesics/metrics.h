@@ -88,8 +88,8 @@ public:
   Index number_of_halfedges() const; ///< returns the number of halfedges
   /// Returns the number of a vertex, or `null_index` if the vertex does not belong to the mesh.
   Vertex_index index(typename boost::graph_traits<TriangleMesh>::vertex_descriptor v) const;
-  /// Returns the number of a halfedge. The result is not valid (see `Descriptor::is_valid()`) if the halfedge does not
-  /// belong to the mesh, or was removed when degenerate edges were contracted.
+  /// Returns the number of a halfedge, or `null_index` if the halfedge does not belong to the mesh, or was removed when
+  /// degenerate edges were contracted.
   Input_halfedge_index index(typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h) const;
   /// Returns the vertex of the mesh with a given number.
   typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex(Vertex_index v) const;
@@ -108,7 +108,7 @@ public:
 
   /// Returns whether degenerate edges were contracted; see `Zero_length_edges`.
   bool is_contracted() const;
-  /// Returns the mesh before degenerate edges were contracted, or this mesh if none were contracted.
+  /// Returns the mesh as it was before degenerate edges were contracted, or this mesh if none were contracted.
   const Numbered_mesh& uncontracted() const;
 };
 #else

@@ -160,12 +160,12 @@ Refinement_report refine(Triangulation& triangulation, const OnSplit& on_split, 
  * ends the process. An upper bound \f$L\f$ on the lengths of edges requires about \f$A/L^2\f$ vertices on a surface
  * of area \f$A\f$.
  *
- * Two kinds of faces are *exempt* from the bound on angles. In a face of the first kind, no insertion could enlarge the
- * smallest angle, because this angle lies between two constrained edges that meet at an angle of less than 60 degrees,
- * or at a vertex whose angles sum to less than 60 degrees. In a face of the second kind, the shortest side connects two
- * constrained edges that meet at an angle of less than 60 degrees, and the ends of this side are equally far from the
- * common vertex of the two edges. An insertion at this side would cause another insertion closer to the common vertex,
- * and so on without end \cgalCite{S02}.
+ * Two kinds of faces are *exempt* from the bound on angles. In a face of the first kind, the smallest angle is part of
+ * an angle of less than 60 degrees between two constrained edges, or lies at a vertex whose angles sum to less than 60
+ * degrees; insertions do not change that angle and this sum. In a face of the second kind, the shortest side connects
+ * two constrained edges that meet at an angle of less than 60 degrees, and the distances of its ends from the common
+ * vertex of the two edges differ by less than 20 %. An insertion at this side would cause another insertion closer to
+ * the common vertex, and so on without end \cgalCite{S02}.
  *
  * \param network an `Edge_path_network`. Its triangulation is refined, and must be a model of
  *        `IntrinsicTriangulationOfMesh`

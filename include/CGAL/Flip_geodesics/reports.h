@@ -16,7 +16,7 @@ namespace CGAL::Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsProving
  *
- * States how certain the claim is that a function makes about its result, for example that a curve is locally shortest.
+ * States the certainty of what a function claims about its result, for example that a curve is locally shortest.
  * Section \ref Flip_geodesicsVerdicts lists the claims of the functions, and Section \ref Flip_geodesicsAssumptions the
  * assumptions under which verdicts hold.
  */
@@ -161,7 +161,7 @@ struct Curve_report
   /// functions set this member.
   bool are_zero_edges_contracted = false;
   /// The distance of each given point from the surface, measured in space; 0 for points given as vertices or locations.
-  /// Only functions that accept points set this member. It is empty if all points are given as vertices.
+  /// Only free functions that accept points in space set this member; it is empty for a path between two vertices.
   std::vector<double> point_distances;
 };
 

@@ -530,8 +530,9 @@ private:
  * \param direction a `std::pair` of a halfedge and an angle, or a vector in space. The angle is measured from the
  *        halfedge, in radians and counterclockwise on the surface. The halfedge must be a side of a face that contains
  *        the source or, if the source is a vertex, start at the source. At a vertex, a full turn is the sum of the
- *        angles around the vertex. A vector is projected to the plane of the face of the source, and can point out of
- *        this face. A vector is not accepted if the source is given as a vertex
+ *        angles around the vertex. A vector is projected onto the plane of the face of the source; if the source lies
+ *        on the boundary of this face, the projected vector can lead out of the face. A vector is not accepted if the
+ *        source is given as a vertex
  * \param length the maximal length, in the unit of the coordinates
  * \param out an output iterator that receives the points of the geodesic in order: its start, the crossed edges and
  *        vertices, and its end, in the form described at `geodesic_path()`

@@ -123,6 +123,12 @@ public:
   {
     return is_contracted() && h.is_valid() ? m_origin->contraction.halfedge[h] : h;
   }
+  /* Returns the same halfedge, or `null_index` if it was removed. */
+  Input_halfedge_index remaining_halfedge(Input_halfedge_index h) const
+  {
+    const Input_halfedge_index result = contracted_halfedge(h);
+    return result.is_valid() ? result : null_index;
+  }
 
   /* Returns the two halfedges along which a halfedge of the old mesh runs. \pre `contracted_halfedge(h)` is
    * `Contraction::is_fold` */
@@ -189,7 +195,7 @@ public:
   }
   Input_halfedge_index index(halfedge_descriptor h) const
   {
-    return this->contracted_halfedge(Input_halfedge_index(find(m_halfedge_order, h)));
+    return this->remaining_halfedge(Input_halfedge_index(find(m_halfedge_order, h)));
   }
 
   Input_halfedge_index next(Input_halfedge_index h) const { return m_next[h]; }
@@ -331,7 +337,7 @@ public:
   }
   Input_halfedge_index index(halfedge_descriptor h) const
   {
-    return this->contracted_halfedge(Input_halfedge_index(to_index(h, this->uncontracted().number_of_halfedges())));
+    return this->remaining_halfedge(Input_halfedge_index(to_index(h, this->uncontracted().number_of_halfedges())));
   }
 
   Input_halfedge_index next(Input_halfedge_index h) const { return of_own(m_mesh->next(own_halfedge(h))); }
