@@ -211,8 +211,8 @@ Refinement_report refine(Network& network, const Refinement_options& options = R
 
 /// \ingroup PkgFlipGeodesicsDelaunay
 /// Refines a triangulation without curves until no angle is too small and no edge is too long. The options, named
-/// parameters and exceptions are those of `refine()` for a network. \throws Occupied_triangulation_error if a network
-/// has curves in the triangulation
+/// parameters and exceptions are those of `refine()` for a network.
+/// \throws Occupied_triangulation_error if a network has curves in the triangulation
 template <class Triangulation, class... NamedParameters,
           std::enable_if_t<!internal::has_curves<Triangulation>, int> = 0>
 Refinement_report refine(Triangulation& triangulation, const Refinement_options& options = Refinement_options(),

@@ -272,7 +272,7 @@ Shortening_report shorten(Network& network, const StopPredicate& stop, Visitor&&
  * longer than before the call.
  *
  * \param network the network, of a type that `Shortener` accepts. Its curves are shortened, and the edges around them
- *        are flipped. Curves that share edges must first be ordered by `order_overlapping_curves()`. If curves cross
+ *        are flipped. If several segments lie on one edge, call `order_overlapping_curves()` first. If curves cross
  *        before the call, they still cross after the call. No status indicates such crossings, but
  *        `Edge_path_network::is_valid()` returns `false` if curves cross at free nodes
  * \param np an optional sequence of named parameters, in any order, among those listed below

@@ -236,8 +236,9 @@ private:
 };
 
 /// \ingroup PkgFlipGeodesicsStop
-/// Stops when the records of flips would take more memory than a given limit. Since a step is rolled back only after
-/// its flips have been recorded, the memory can temporarily exceed the limit by the records of one step.
+/// Stops when the records of the triangulation (`Intrinsic_triangulation::memory_of_records()`) would take more memory
+/// than a given limit. The records include faces that earlier queries have cached. Since a step is rolled back only
+/// after its flips have been recorded, the memory can temporarily exceed the limit by the records of one step.
 /// \cgalModels{FlipOutStopPredicate}
 class Memory_stop_predicate
 {

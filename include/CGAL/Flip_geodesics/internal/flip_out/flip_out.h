@@ -350,7 +350,7 @@ private:
    * Shortens a loop of one segment, [SC20, Appendix B], as a compound step: move the loop over the face in its wedge,
    * which lengthens it, flip out the wedge at the old node, and then shorten it back on the other side as long as
    * possible. All of this happens in a flat annulus that contains neither a vertex nor another segment, and the loop
-   * ends up shorter than before; the manual's section on termination has the proof.
+   * ends up shorter than before; the proof is in the manual, in the section on loops of one segment.
    */
   void shorten_single_segment_loop(const Queued_wedge& candidate)
   {
