@@ -61,16 +61,17 @@ public:
   Certified_intrinsic_triangulation_traits() = default;
 
   /// Constructs traits with a given work limit; see `sign_work_limit()`. If the limit is 0, exact arithmetic with the
-  /// square roots of areas is not used.
+  /// square roots of the squared areas of faces is not used.
   explicit Certified_intrinsic_triangulation_traits(std::uint64_t sign_work_limit)
     : m_sign_work_limit(sign_work_limit)
   {
   }
 
   /*!
-   * Returns the work limit for computing one sign by exact arithmetic with the square roots of areas. The unit of work
-   * is the multiplication of two 64-bit words. Each multiplication of integers counts as at least 32 units. The
-   * multiplication of two numbers with \f$r\f$ independent roots takes up to \f$4^r\f$ multiplications of integers.
+   * Returns the work limit for computing one sign by exact arithmetic with the square roots of the squared areas of
+   * faces. The unit of work is the multiplication of two 64-bit words. Each multiplication of integers counts as at
+   * least 32 units. The multiplication of two numbers with \f$r\f$ independent roots takes up to \f$4^r\f$
+   * multiplications of integers.
    *
    * The other methods listed in Section \ref Flip_geodesicsCertified do not use this limit. One of them is used if the
    * input faces bend only along parallel edges. It computes the sign of a sum of square roots, always with the default

@@ -212,9 +212,9 @@ public:
 
   /// Returns the largest deviation of the angle sum at an interior vertex from \f$2\pi\f$, in radians.
   double angle_error() const { return m_angle_error; }
-  /// Returns the layout error. When the faces are laid out, the position of a copy is computed in one of its faces, and
-  /// for comparison in its other faces. The error is the largest distance between such positions of one copy, divided
-  /// by the largest distance of a copy from the origin.
+  /// Returns the layout error. When the faces are laid out, the position of a copy can be computed in several faces, of
+  /// which the first determines its `point()`. The error is the largest distance between the `point()` of a copy and
+  /// another position computed for this copy, divided by the largest distance of a copy from the origin.
   double layout_error() const { return m_layout_error; }
   /// Returns the number of Newton steps.
   int iterations() const { return m_iterations; }

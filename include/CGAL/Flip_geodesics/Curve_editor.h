@@ -43,8 +43,8 @@ struct Move_report
  * can cross each other. When a point is moved, each leg at this point is deformed continuously: the new leg is obtained
  * by shortening the concatenation of the old leg and the path of the move. All other legs remain bitwise identical.
  *
- * The running time of a move depends only on the legs at the moved point and on the path of the move, not on previous
- * moves. A leg is unfolded along its edge sequence, shortened with a funnel algorithm, and certified as by `certify()`,
+ * The running time of a move depends on the legs at the moved point, on the path of the move and, if this path is not
+ * given, on the search for it. It does not depend on previous moves. A leg is unfolded along its edge sequence, shortened with a funnel algorithm, and certified as by `certify()`,
  * regardless of the traits. If the leg cannot be certified, edges are flipped as by `shorten()`, and the flips are
  * rolled back afterwards.
  *
@@ -149,7 +149,7 @@ public:
       worst = (std::max)(worst, verdict(leg));
     return worst;
   }
-  /// Returns the filter failures of predicates since the construction, and how they were resolved.
+  /// Returns how many filter failures of predicates have occurred since the construction, and how they were resolved.
   const Decision_statistics& statistics() const { return m_mover.statistics(); }
 
   /// @}

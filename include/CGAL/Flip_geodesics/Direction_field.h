@@ -176,7 +176,7 @@ public:
     return result;
   }
 
-  /// Returns the energy of the field, that is, the sum over the edges that is defined in the description of the class.
+  /// Returns the energy of the field, as defined in the description of the class.
   double energy() const { return std::real(values().dot(connection_laplacian() * m_values)); }
 
 private:

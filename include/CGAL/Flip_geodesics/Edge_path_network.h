@@ -228,7 +228,7 @@ public:
   auto curves() const { return internal::descriptors<Curve_index>(number_of_curves()); }
 
   /// Returns one more than the largest segment index assigned since the construction or the last call of `clear()`. The
-  /// indices start at 1.
+  /// indices start at 1, so the result is 1 if there have been no segments.
   Index end_of_segment_ids() const { return m_segments.end_of_ids(); }
 
   /// Returns the first segment of a curve, or `null_index` if the curve has contracted to a point.
@@ -762,8 +762,8 @@ Order_conflict order_if_possible(Network& network)
  *
  * Two curves that share a chain of edges are ordered by the sides on which they part at the two ends of the chain. An
  * end of the chain at which a path ends or a node is fixed does not determine an order. However, the following
- * condition must hold at each vertex: all segment ends at fixed nodes, which include the ends of paths, and the border
- * lie on the same side of every curve that passes through the vertex at a free node.
+ * condition must hold at each vertex: the border and all segment ends at fixed nodes lie on the same side of every
+ * curve that passes through the vertex at a free node. The ends of paths are fixed nodes.
  *
  * If neither end of the chain determines the order, the orders of other segments on the same edges can determine it. If
  * they do not, the function chooses the order: the segment that was added first lies on the left, as seen in its

@@ -45,8 +45,8 @@ namespace CGAL::Flip_geodesics {
  * A mesh has one radicand \f$d\f$ if the area of every face is a rational multiple of \f$\sqrt d\f$. The radicand is 1
  * for meshes in a coordinate plane and for axis-aligned boxes, and 3 for regular tetrahedra and octahedra.
  * `common_radicand()` computes the radicand of a mesh. If the number type supports only meshes with one radicand, a
- * radicand other than 1 must be passed to the constructor. `Inexact_root_error` is then thrown when a face is accessed
- * whose area is not a rational multiple of \f$\sqrt d\f$.
+ * radicand other than 1 must be passed to the constructor. With such a number type, accessing a face throws
+ * `Inexact_root_error` if the area of the face is not a rational multiple of \f$\sqrt d\f$.
  *
  * With exact numbers, faces store squared lengths and areas. For each input face, only one square root is computed,
  * that of the squared area; flips do not require square roots. With rounded numbers and intervals, faces store vectors
@@ -99,7 +99,7 @@ public:
   /// bound their errors.
   using Has_drift = Boolean_tag<is_rounded>;
   using Point_3 = typename K::Point_3; ///< the point type of the mesh
-  /// The type of radicands: `NT` or, for `Sqrt_extension<NT, ROOT>`, `ROOT`.
+  /// The type of radicands: the second template argument of `NT` if `NT` is a `Sqrt_extension`, and otherwise `NT`.
   using Radicand = typename Area_unit::Radicand;
 
   using Halfedge_geometry = typename Geometry::Halfedge_geometry; ///< a squared length and an area, or a vector
@@ -116,7 +116,8 @@ public:
     Uncertain<Comparison_result> comparison = SMALLER; ///< the comparison of the angle with \f$\pi\f$
   };
 
-  /// Constructs traits for any mesh. If `NT` is rational or a `Sqrt_extension`, the mesh must have the radicand 1.
+  /// Constructs traits. If `NT` is rational or a `Sqrt_extension`, the mesh must have the radicand 1; otherwise, any
+  /// mesh is supported.
   Exact_intrinsic_triangulation_traits() = default;
 
   /// Constructs traits for meshes with the radicand `d`, a positive number. This constructor is available only if `NT`
@@ -357,7 +358,7 @@ public:
     static double key(double x, double y) { return 1 - x / (std::abs(x) + y); }
   };
 
-  /// Flips an edge without a square root.
+  /// Flips an edge. This requires no square root.
   class Flip : Functor_with_unit
   {
   public:

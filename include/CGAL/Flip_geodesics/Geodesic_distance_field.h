@@ -76,7 +76,7 @@ namespace parameters {
 
 /*!
  * \ingroup PkgFlipGeodesicsParameters
- * Sets where a distance field can be evaluated.
+ * Sets the extent of a distance field, which determines where the field can be evaluated.
  */
 inline auto extent(Flip_geodesics::Distance_field_extent extent)
 {
@@ -111,7 +111,7 @@ struct Distance_field_report
   /// distance. The estimate of the errors is conservative; most errors are far smaller than estimated.
   bool has_inaccurate_distance = false;
   /// The verdict on the distances. It is `WITHIN_TOLERANCE` if every distance up to `Geodesic_distance_field::reach()`
-  /// differs from the length of a shortest path by at most 1e-10 of the distance. It is `UNDECIDED` if `has_flat_face`
+  /// differs from the exact distance by at most 1e-10 of the distance. It is `UNDECIDED` if `has_flat_face`
   /// or `has_inaccurate_distance` is `true`, or if coordinates or lengths of the mesh had to be rounded.
   Verdict verdict = Verdict::UNDECIDED;
 };

@@ -95,9 +95,9 @@ struct Geodesic_tree_report
  * The paths do not cross. They are locally shortest if the status is `LOCALLY_SHORTEST`. Most of them are globally
  * shortest; `make_shortest()` replaces the others.
  *
- * A tree that has been grown satisfies an invariant, which `is_valid()` checks: the distance of a reached vertex is the
- * distance of its parent plus the length of the edge between the two vertices, and no edge between reached vertices
- * gives a shorter path.
+ * A tree that has been grown satisfies an invariant, which `is_valid()` checks. The distance of a reached vertex, other
+ * than the source, is the distance of its parent plus the length of the last edge of its path. No edge between reached
+ * vertices gives a shorter path.
  *
  * \tparam Triangulation_ a model of `IntrinsicTriangulation`; networks in it must not have curves while the tree is
  *         grown
@@ -727,7 +727,7 @@ Vertex_logarithmic_map logarithmic_map_of_tree(const Geodesic_tree<Triangulation
  * \param tree a tree that has been grown
  * \param zero the input halfedge whose direction is 0; it must start at the source. By default, and always for an
  *        inserted source, it is the halfedge of the `location()` of the source. For a source on the border, the
- *        parameter has no effect, and angles are measured from the border
+ *        parameter has no effect, and angles in \f$[0, \mathtt{total\_angle}]\f$ are measured from the border
  * \return the polar coordinates of all vertices
  * \throws Invalid_location_error if `zero` is not a halfedge of the mesh or does not start at the source
  * \throws Invalid_parameter_error if `grow()` has not been called

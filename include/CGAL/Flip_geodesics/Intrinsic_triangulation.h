@@ -223,8 +223,8 @@ public:
   /// @}
   /// \name Connectivity
   /// The functions of this group take constant time. The face on the left of a halfedge is copied from the input when
-  /// it is first accessed. This access throws `Invalid_mesh_error` if the face is not a triangle or if the edge does
-  /// not belong to a face, and `Degenerate_face_error` if an edge of the face has length zero or if the edge lengths
+  /// it is first accessed. This access throws `Invalid_mesh_error` if the face is not a triangle or if the edge of the
+  /// halfedge does not belong to a face, and `Degenerate_face_error` if an edge of the face has length zero or if the edge lengths
   /// violate the triangle inequality. It throws `Invalid_coordinate_error` if a coordinate is not finite, or if a
   /// length is outside [1e-70, 1e70].
   /// @{
@@ -404,15 +404,16 @@ enum class Zero_length_edges {
  *
  * The triangulation is a \f$\Delta\f$-complex: an edge can be a loop, two edges can have the same two end points, a
  * vertex can have degree 1, and a face can be glued to itself. Elements are therefore identified by their indices,
- * never by their vertices. The index of a vertex of the mesh is its position in `vertices(mesh)`. Edge `e` has the
+ * never by their vertices. The index of a vertex of the mesh is its position in `vertices(mesh)`, unless degenerate
+ * edges have been contracted. Edge `e` has the
  * halfedges `2e` and `2e+1`. Until the first flip or insertion, each edge and each halfedge is that of the input with
  * the same index. A flipped edge keeps its index. Points of the surface can be inserted as further vertices, whose
  * indices follow those of the existing vertices.
  *
  * \attention The mesh and its points must outlive the triangulation and must not be changed.
  *
- * The triangulation satisfies the following invariant: up to rounding errors, no side of a face is longer than the sum
- * of the other two, and the two halfedges of an edge have the same length; the normal coordinates of the edges (see
+ * The triangulation satisfies the following invariant. Up to rounding errors, no side of a face is longer than the sum
+ * of the other two, and the two halfedges of an edge have the same length. The normal coordinates of the edges (see
  * `crossings()`) are consistent with the input edges. `is_valid()` checks the invariant, except for the normal
  * coordinates.
  *
@@ -485,8 +486,8 @@ public:
    * degenerate edges are treated.
    *
    * If `zero_length_edges` is `Zero_length_edges::CONTRACT`, the input of the triangulation is the contracted surface.
-   * Of the vertices that are merged at a point, one represents all of them, and the others become isolated. If a face
-   * has exactly one degenerate edge, the other two edges of the face become one edge. For an element of the mesh,
+   * Of the vertices that are merged at a point, one represents all of them, and the others become isolated unless
+   * several umbrellas meet at this point (see below). If a face has exactly one degenerate edge, the other two edges of the face become one edge. For an element of the mesh,
    * `index()` returns the corresponding element of the triangulation; for a halfedge that no longer exists, it returns
    * `null_index`. `input_halfedge()` returns one of the halfedges of the mesh that correspond to its argument. If
    * several umbrellas of the contracted surface meet only at a point, each of them has its own vertex at this point, so
@@ -552,11 +553,11 @@ public:
   /// these failures were resolved.
   Decision_statistics decision_statistics() const { return m_decisions.statistics(); }
 
-  /// Returns whether the angles of the two faces of the edge of `h` at the head of `h` sum to at least \f$\pi\f$.
+  /// Returns whether the two angles at the head of `h`, in the faces on both sides of `h`, sum to at least \f$\pi\f$.
   /// \pre both faces exist
   bool is_reflex_at_head(Halfedge_index h) const { return is_reflex_at_head(walker(h)); }
-  /// Returns whether the angles of the two faces of the edge of walker `h` at the head of the walker's halfedge sum to
-  /// at least \f$\pi\f$. \pre both faces exist
+  /// Returns whether the two angles at the head of the halfedge of walker `h`, in the faces on both sides of this
+  /// halfedge, sum to at least \f$\pi\f$. \pre both faces exist
   bool is_reflex_at_head(const Walker& h) const
   {
     Turn turn;
