@@ -44,9 +44,9 @@ struct Move_report
  * by shortening the concatenation of the old leg and the path of the move. All other legs remain bitwise identical.
  *
  * The running time of a move depends on the legs at the moved point, on the path of the move and, if this path is not
- * given, on the search for it. It does not depend on previous moves. A leg is unfolded along its edge sequence, shortened with a funnel algorithm, and certified as by `certify()`,
- * regardless of the traits. If the leg cannot be certified, edges are flipped as by `shorten()`, and the flips are
- * rolled back afterwards.
+ * given, on the search for it. It does not depend on previous moves. A leg is unfolded along its edge sequence,
+ * shortened with a funnel algorithm, and certified as by `certify()`, regardless of the traits. If the leg cannot be
+ * certified, edges are flipped as by `shorten()`, and the flips are rolled back afterwards.
  *
  * The end points and the edge sequence of a leg determine the leg bitwise, regardless of the moves that led to it. If
  * each homotopy class contains only one geodesic, the leg depends only on its end points and on the homotopy class to

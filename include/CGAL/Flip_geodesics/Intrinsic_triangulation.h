@@ -224,9 +224,9 @@ public:
   /// \name Connectivity
   /// The functions of this group take constant time. The face on the left of a halfedge is copied from the input when
   /// it is first accessed. This access throws `Invalid_mesh_error` if the face is not a triangle or if the edge of the
-  /// halfedge does not belong to a face, and `Degenerate_face_error` if an edge of the face has length zero or if the edge lengths
-  /// violate the triangle inequality. It throws `Invalid_coordinate_error` if a coordinate is not finite, or if a
-  /// length is outside [1e-70, 1e70].
+  /// halfedge does not belong to a face. It throws `Degenerate_face_error` if an edge of the face has length zero or if
+  /// the edge lengths violate the triangle inequality, and `Invalid_coordinate_error` if a coordinate is not finite or
+  /// if a length is outside [1e-70, 1e70].
   /// @{
 
   /// Returns the opposite halfedge of `h`.
@@ -405,10 +405,9 @@ enum class Zero_length_edges {
  * The triangulation is a \f$\Delta\f$-complex: an edge can be a loop, two edges can have the same two end points, a
  * vertex can have degree 1, and a face can be glued to itself. Elements are therefore identified by their indices,
  * never by their vertices. The index of a vertex of the mesh is its position in `vertices(mesh)`, unless degenerate
- * edges have been contracted. Edge `e` has the
- * halfedges `2e` and `2e+1`. Until the first flip or insertion, each edge and each halfedge is that of the input with
- * the same index. A flipped edge keeps its index. Points of the surface can be inserted as further vertices, whose
- * indices follow those of the existing vertices.
+ * edges have been contracted. Edge `e` has the halfedges `2e` and `2e+1`. Until the first flip or insertion, each edge
+ * and each halfedge is that of the input with the same index. A flipped edge keeps its index. Points of the surface can
+ * be inserted as further vertices, whose indices follow those of the existing vertices.
  *
  * \attention The mesh and its points must outlive the triangulation and must not be changed.
  *
@@ -487,11 +486,11 @@ public:
    *
    * If `zero_length_edges` is `Zero_length_edges::CONTRACT`, the input of the triangulation is the contracted surface.
    * Of the vertices that are merged at a point, one represents all of them, and the others become isolated unless
-   * several umbrellas meet at this point (see below). If a face has exactly one degenerate edge, the other two edges of the face become one edge. For an element of the mesh,
-   * `index()` returns the corresponding element of the triangulation; for a halfedge that no longer exists, it returns
-   * `null_index`. `input_halfedge()` returns one of the halfedges of the mesh that correspond to its argument. If
-   * several umbrellas of the contracted surface meet only at a point, each of them has its own vertex at this point, so
-   * the umbrellas are not connected at this point.
+   * several umbrellas meet at this point (see below). If a face has exactly one degenerate edge, the other two edges of
+   * the face become one edge. For an element of the mesh, `index()` returns the corresponding element of the
+   * triangulation; for a halfedge that no longer exists, it returns `null_index`. `input_halfedge()` returns one of the
+   * halfedges of the mesh that correspond to its argument. If several umbrellas of the contracted surface meet only at
+   * a point, each of them has its own vertex at this point, so the umbrellas are not connected at this point.
    *
    * If the mesh has neither degenerate edges nor pairs of degenerate faces as described at
    * `Zero_length_edges::CONTRACT`, the result is the same as with `Zero_length_edges::REFUSE`.
