@@ -85,8 +85,8 @@ struct Geodesic_tree_report
  * paths consist of edges of the same intrinsic triangulation \cgalCite{SC20,section 6.5}.
  *
  * The tree is grown by Dijkstra's algorithm on the current triangulation. Before a vertex is accepted, `grow()` checks
- * whether the path to it is bent at the preceding vertex, that is, whether the two edges of the path at that vertex
- * form an angle smaller than \f$\pi\f$ on one side. If so, the edges inside the wedge with the smaller angle are
+ * whether the path to it is bent at the preceding vertex. The path is bent if its two edges at that vertex form an
+ * angle smaller than \f$\pi\f$ on one side. In this case, the edges inside the wedge with the smaller angle are
  * flipped, which yields a shorter path, and the search continues. A vertex with a bent path is accepted only if
  * rounding errors or degenerate faces prevent flips from shortening the path. In contrast to \cgalCite{SC20}, the
  * acceptance of a vertex is revoked if a new edge gives a shorter path to it. The finished tree is therefore a shortest
