@@ -672,8 +672,8 @@ public:
   /*!
    * Returns the location of vertex `v` on the input in a canonical form. An input vertex is represented by a halfedge
    * that starts at the vertex, and the weights (1, 0, 0). A point on an edge is represented by the first halfedge of
-   * the edge that is not on the border; the third weight is zero. A point inside a face is represented by the
-   * lowest-numbered halfedge of the face.
+   * the edge, or by the second one if the first is a border halfedge; the third weight is zero. A point inside a face
+   * is represented by the lowest-numbered halfedge of the face.
    * \pre `v` is not isolated
    */
   Surface_location location(Vertex_index v) const
@@ -793,9 +793,9 @@ public:
    * the least recently used ones are discarded.
    *
    * Complexity: linear in the length of the sequence if the sequence is stored. Other sequences are computed from the
-   * normal coordinates: the crossed input edges are followed through the faces of the triangulation until any two
-   * consecutive ones separate or meet at a common vertex. This takes time linear in the number of these faces plus the
-   * degree of the tail.
+   * normal coordinates: the crossed input edges are followed through the faces of the triangulation until each of them
+   * separates from the next one or meets it at a common vertex. This takes time linear in the number of these faces
+   * plus the degree of the tail.
    *
    * If points have been inserted, or if flips have replaced all input edges at both ends of `h`, a sequence that is not
    * stored is derived from the flip log instead. This takes time linear in the total length of the sequences of all
@@ -961,7 +961,7 @@ struct Intrinsic_face
  * \param out an output iterator that receives objects of type `Intrinsic_face`
  * \return the past-the-end output iterator
  *
- * Complexity: linear in the size of the mesh.
+ * Complexity: linear in the size of the triangulation.
  */
 template <class Triangulation, class OutputIterator>
 OutputIterator intrinsic_faces(const Triangulation& triangulation, OutputIterator out)

@@ -232,7 +232,7 @@ public:
   class Compare_turn_with_straight
   {
   public:
-    /// Returns the result, which is always certain, but can be wrong if vectors have drifted.
+    /// Returns the result. It is always marked as certain, but can be wrong if vectors have drifted.
     Uncertain<Comparison_result> operator()(const Turn& turn) const { return turn.is_straight ? LARGER : SMALLER; }
   };
 

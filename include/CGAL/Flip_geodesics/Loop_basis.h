@@ -92,7 +92,7 @@ void append_input_edges(const Triangulation& triangulation, const Edge_sequence&
  *
  * Each component of genus \f$g\f$ with \f$b\f$ borders has \f$2g\f$ loops if \f$b = 0\f$, and \f$2g + b - 1\f$
  * otherwise. All loops of a component pass through its base point. Their total length is the smallest among all sets of
- * edge loops through the base point that generate the fundamental group, and also among those that generate only the
+ * edge loops through the base point that generate the fundamental group, and also among those that generate the
  * homology group \cgalCite{EW05}. Lengths are those of the metric.
  *
  * Only the input of the triangulation is used, so flips do not affect the basis. For \f$n\f$ edges, the construction

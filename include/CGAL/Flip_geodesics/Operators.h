@@ -198,7 +198,7 @@ private:
  * lies on the border and which has a face on its left.
  *
  * The object is a snapshot: later flips of the triangulation do not affect it. Construction takes time linear in the
- * size of the mesh.
+ * size of the triangulation.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulation`
  */
@@ -236,8 +236,8 @@ public:
   /// angles of the halfedges.
   double corner(Halfedge_index h) const { return m_corners[h]; }
 
-  /// Returns the angle by which parallel transport along `h` changes the angle of a direction. The angle at the head of
-  /// `h` is the angle at the tail plus this value.
+  /// Returns the angle by which parallel transport along `h` changes the angle of a direction. The angle of the
+  /// direction at the head of `h` is its angle at the tail plus this value.
   double transport(Halfedge_index h) const
   {
     return m_angles[Triangulation::twin(h)] + boost::math::constants::pi<double>() - m_angles[h];

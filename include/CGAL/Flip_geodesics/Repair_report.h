@@ -166,7 +166,7 @@ public:
 
   /// Returns the vertices that come from a point and have faces. If the vertex of the point was split, the result
   /// contains several vertices. If the point was merged into another point, the result contains vertices of that
-  /// point. If the point has no faces, the result is empty.
+  /// point. If the point has no faces and was not merged, the result is empty.
   Elements vertices_of_point(std::size_t point) const { return elements(m_record.vertices_of_points, point); }
 
   /// Returns the triangles that come from a polygon. The result is empty if the polygon was removed, or if flips have

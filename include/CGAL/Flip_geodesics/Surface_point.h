@@ -45,7 +45,7 @@ struct Surface_location
  *
  * The halfedge starts at the location or is a side of a face that contains the location. Free functions take and return
  * a direction as a `std::pair` of a halfedge of the mesh and an angle. If a function chooses the reference halfedge, it
- * uses the halfedge of the location, or the twin of this halfedge if it is a border halfedge. The halfedge of a
+ * uses the halfedge of the location; if this is a border halfedge, the function uses its twin. The halfedge of a
  * `Face_location` is `halfedge(face, mesh)`. The halfedge of a vertex starts at the vertex.
  *
  * There are two exceptions. The angle in a `Trace_report` refers to the side through which the geodesic entered its

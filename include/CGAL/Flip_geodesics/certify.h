@@ -23,9 +23,9 @@ namespace CGAL::Flip_geodesics {
 /// Contains two measures of the straightness of a curve, computed from the input and the edge sequences of the curve.
 struct Straightness
 {
-  /// The largest bend of a segment, in radians; 0 if no segment is bent. The bend of a segment is the largest angle by
-  /// which a vertex of the unfolded strip of input faces lies on the wrong side of the straight line between the ends
-  /// of the segment, as seen from the end that is nearer to the vertex.
+  /// The largest bend of a segment, in radians; 0 if no segment is bent. To define the bend of a segment, consider the
+  /// unfolded strip of input faces and the straight line between the ends of the segment. The bend is the largest angle
+  /// by which a vertex of the strip lies on the wrong side of this line, as seen from its nearer end.
   double largest_bend = 0;
   /// The smallest angle, in radians, at an unblocked side of a joint, or infinity if no such side exists.
   double smallest_angle = std::numeric_limits<double>::infinity();

@@ -29,11 +29,12 @@ namespace CGAL::Flip_geodesics {
  * Computes the parallel transport of tangent vectors along curves, with respect to the Levi-Civita connection.
  *
  * A vector is constant within a face, and remains constant across an edge if the two faces at the edge are unfolded
- * into a plane. At a vertex on the curve, the vector keeps its angle to the curve. For this purpose, the angles around
- * an interior vertex are scaled to a sum of \f$2\pi\f$ \cgalCite{PS98}; the angles at a border vertex are not scaled.
- * The tangent of a straightest geodesic therefore remains tangent when it is transported along the geodesic. Along a
- * loop that passes through no vertex and bounds a disk, a vector is rotated by the holonomy of the loop, which is the
- * sum of the angle defects of the vertices in the disk.
+ * into a plane. At a vertex on the curve, the vector keeps its angle to the direction in which the curve arrives, even
+ * if the curve bends there. For this purpose, the angles around an interior vertex are scaled to a sum of \f$2\pi\f$
+ * \cgalCite{PS98}; the angles at a border vertex are not scaled. The tangent of a straightest geodesic therefore
+ * remains tangent when it is transported along the geodesic. Along a loop that passes through no vertex and bounds a
+ * disk, a vector is rotated by the holonomy of the loop, which is the sum of the angle defects of the vertices in the
+ * disk.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; flips do not affect the result
  */
@@ -363,8 +364,8 @@ Located_curve<Triangulation> located_curve(const Triangulation& triangulation, c
  * \throws Invalid_coordinate_error if a face along the curve has an invalid coordinate
  * \throws Invalid_mesh_error if a face along the curve is invalid
  *
- * Complexity: linear in the number of locations of the curve, plus time logarithmic in this number for each sample. A
- * mesh other than a `Surface_mesh` is indexed first, in \cgalBigO{n \log n} time for \f$n\f$ faces.
+ * Complexity: that of the construction of a `Located_curve`, plus time logarithmic in the number of locations for each
+ * sample. A mesh other than a `Surface_mesh` is indexed first, in \cgalBigO{n \log n} time for \f$n\f$ faces.
  */
 template <class TriangleMesh, class LocationRange, class OutputIterator, class... NamedParameters>
 OutputIterator sample_curve(const TriangleMesh& mesh, const LocationRange& curve, std::size_t number,
@@ -411,8 +412,8 @@ OutputIterator sample_curve(const TriangleMesh& mesh, const LocationRange& curve
  * \throws Invalid_coordinate_error as `sample_curve()` does
  * \throws Invalid_mesh_error as `sample_curve()` does
  *
- * Complexity: linear in the total number of locations of the curves. A mesh other than a `Surface_mesh` is indexed
- * first, in \cgalBigO{n \log n} time for \f$n\f$ faces.
+ * Complexity: that of the construction of a `Located_curve` for each curve. A mesh other than a `Surface_mesh` is
+ * indexed first, in \cgalBigO{n \log n} time for \f$n\f$ faces.
  */
 template <class TriangleMesh, class LocationRange, class OtherLocationRange, class... NamedParameters>
 double angle_between_curves(const TriangleMesh& mesh, const LocationRange& first, const OtherLocationRange& second,

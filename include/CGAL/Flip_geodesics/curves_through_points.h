@@ -331,10 +331,10 @@ private:
  * Adds a curve that connects consecutive points of the surface. The points become vertices, at which the curve is
  * fixed.
  *
- * A curve through two points is added as a shortest edge path. A curve through more points consists of *legs*, which
- * connect consecutive points. Each leg is first shortened as if the other points did not exist. The leg therefore
- * passes beside any other point on the same side as a geodesic without obstacles. Afterwards, the edges that the legs
- * cross are flipped.
+ * An open curve through two points is added as a shortest edge path, and a closed one as two such paths. A curve
+ * through more points consists of *legs*, which connect consecutive points. Each leg is first shortened as if the other
+ * points did not exist. The leg therefore passes beside any other point on the same side as a geodesic without
+ * obstacles. Afterwards, the edges that the legs cross are flipped.
  *
  * A leg that would cross a curve of the network remains an edge path; `order_overlapping_curves()` detects whether this
  * path crosses the curve.

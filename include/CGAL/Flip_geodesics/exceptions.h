@@ -227,9 +227,9 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if a location is not a point of the surface. This is the case if its face or halfedge does not belong to
-/// the mesh, if a weight is neither 0 nor in [1e-100, 1e100], if all weights are zero, or if the weights must sum to
-/// one but do not.
+/// Is thrown if a location is not a point of the surface. This is the case, for example, if its face or halfedge does
+/// not belong to the mesh, if a weight is neither 0 nor in [1e-100, 1e100], if all weights are zero, or if the weights
+/// must sum to one but do not.
 ///
 /// If several locations are given, `elements()` returns the position of the invalid one; otherwise it returns the
 /// halfedge of the location, if this halfedge exists.
@@ -270,9 +270,9 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if input curves cross in every order of their overlapping segments, or if curves would cross after their
-/// nodes were freed. In both cases, `elements()` returns a vertex at which curves cross, or one of several vertices
-/// that together make an order without crossings impossible.
+/// Is thrown if input curves cross in every order of their overlapping segments, or if the nodes of a curve cannot be
+/// freed, for example because curves would cross. In both cases, `elements()` returns a vertex at which curves cross,
+/// or one of several vertices that together make an order without crossings impossible.
 ///
 /// The exception is also thrown if, when a polyline or curve is added, one of its segments crosses another of its
 /// segments or another curve. In this case, `elements()` returns the two end points of a crossed edge.

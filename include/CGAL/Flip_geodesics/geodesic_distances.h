@@ -68,7 +68,8 @@ struct Distances_report
   /// `WITHIN_TOLERANCE` if no path found by the search exceeds the length of a shortest path by more than 1e-10 of this
   /// length. `UNDECIDED` in the following cases:
   /// - the search was aborted or stopped, or encountered a degenerate edge;
-  /// - coordinates or lengths of the mesh had to be rounded;
+  /// - coordinates or lengths of the mesh had to be rounded, or the contraction of degenerate edges may have removed
+  ///   shortest paths;
   /// - the search encountered a face whose height is at most 1e-10 of its base, or rounding errors may exceed 1e-10 of
   ///   a distance.
   ///
@@ -810,9 +811,10 @@ Computed_values<Polar_coordinates> compute_logarithmic_map(const TriangleMesh& m
  *        - a curve: a range of vertices or of points; consecutive ones must lie in one face or on its boundary
  * \param distances a model of `WritablePropertyMap` with the vertices of the mesh as keys and `double`s as values.
  *        Vertices that are not connected to a source receive infinity. If degenerate edges had to be contracted,
- *        vertices that only degenerate faces connected to a source also receive infinity, and these distances are not
- *        confirmed. If a computation is aborted at its limit and the second fallback has grown a tree, the distances
- *        are the lengths of the paths of the tree. If it is aborted without a tree, unknown distances are infinite
+ *        vertices that were connected to a source only by degenerate faces also receive infinity, and the distances are
+ *        not confirmed. If a computation is aborted at its limit and the second fallback has grown a tree, the
+ *        distances are the lengths of the paths of the tree. If it is aborted without a tree, unknown distances are
+ *        infinite
  * \param np an optional sequence of named parameters among those listed below, and `vertex_point_map`, `metric` and
  *        `geom_traits` as for `geodesic_path()`
  *
