@@ -719,8 +719,8 @@ public:
   }
 
   /*!
-   * Inserts a point of the surface as a vertex as `insert(location)` does, and calls `on_split` if the insertion splits
-   * an edge. This edge can be held; the function itself does not throw `Occupied_triangulation_error`.
+   * Inserts a point of the surface as `insert(location)` does, and calls `on_split` if the insertion splits an edge.
+   * This edge can be held; the function itself does not throw `Occupied_triangulation_error`.
    *
    * The argument of `on_split` is an object with two halfedges as members: `first` is the halfedge that was split,
    * which now ends at the new vertex, and `second` leads from the new vertex to the former head of `first`. If

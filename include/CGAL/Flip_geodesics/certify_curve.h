@@ -65,7 +65,7 @@ struct Given_curve_certificate
   /// segment that is bent by more than `Straightness::tolerance()` are not examined.
   ///
   /// The bend at a joint is \f$\pi\f$ minus the angle on the side `side`. For the bend of a segment, consider the
-  /// shortest path that connects the ends of the segment and crosses the same edges as the segment: the bend is the
+  /// shortest path that connects the ends of the segment and crosses the same edges as the segment. The bend is the
   /// largest angle by which this path turns at an end of one of these edges. If a straight segment touches a vertex
   /// whose angles sum to less than \f$2\pi\f$, the bend of the segment is \f$2\pi\f$ minus this sum.
   double bend = 0;

@@ -333,8 +333,8 @@ private:
  *
  * An open curve through two points is added as a shortest edge path, and a closed one as two such paths. A curve
  * through more points consists of *legs*, which connect consecutive points. Each leg is first shortened as if the other
- * points did not exist. The leg therefore passes beside any other point on the same side as a geodesic without
- * obstacles. Afterwards, the edges that the legs cross are flipped.
+ * points did not exist. The leg therefore passes every other point on the same side as a geodesic without obstacles
+ * does. Afterwards, the edges that the legs cross are flipped.
  *
  * A leg that would cross a curve of the network remains an edge path; `order_overlapping_curves()` detects whether this
  * path crosses the curve.

@@ -198,8 +198,8 @@ public:
 /// isolated base point of loops, or two base points in one component. It is also thrown if a distance field returns NaN
 /// or is queried at a location for which it stores no data, and if a result is requested before it has been computed.
 ///
-/// If a level, a point whose mean is computed, an element of the mesh or a base point is the cause, `elements()`
-/// returns its position in the given range or its index.
+/// If a level, one of the points whose mean is computed, an element of the mesh or a base point is the cause,
+/// `elements()` returns its position in the given range or its index.
 class Invalid_parameter_error : public Error
 {
 public:
@@ -231,8 +231,8 @@ public:
 /// not belong to the mesh, if a weight is neither 0 nor in [1e-100, 1e100], if all weights are zero, or if the weights
 /// must sum to one but do not.
 ///
-/// If several locations are given, `elements()` returns the position of the invalid one; otherwise it returns the
-/// halfedge of the location, if this halfedge exists.
+/// `elements()` returns the position of the location among several given ones, or the halfedge of the location, if this
+/// position or halfedge is known.
 class Invalid_location_error : public Error
 {
 public:
