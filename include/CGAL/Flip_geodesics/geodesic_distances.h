@@ -1070,10 +1070,10 @@ private:
  * diagonal.
  *
  * For \f$i < j\f$, the entries \f$(i, j)\f$ and \f$(j, i)\f$ are both the distance of point \f$j\f$ in the
- * `Geodesic_distance_field` of point \f$i\f$. This distance is exact up to rounding errors. The field of point \f$i\f$
- * is computed until it reaches all later points, and is destroyed when row \f$i\f$ is complete. The function therefore
- * requires the memory of one field per thread, plus that of the matrix. The result does not depend on the number of
- * threads.
+ * `Geodesic_distance_field` of point \f$i\f$. If the report is confirmed, all distances are exact up to rounding
+ * errors. The field of point \f$i\f$ is computed until it reaches all later points, and is destroyed when row
+ * \f$i\f$ is complete. The function therefore requires the memory of one field per thread, plus that of the matrix.
+ * The result does not depend on the number of threads.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the program must be linked to
  *         TBB for `Parallel_tag`

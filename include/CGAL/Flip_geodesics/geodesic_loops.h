@@ -364,7 +364,8 @@ std::vector<Halfedge_index> shortest_loop(const Triangulation& triangulation, Ve
  *
  * Complexity: \cgalBigO{n \log n + c m \log m} for a fixed genus and number of borders. Here, \f$c\f$ is the number of
  * vertices of a cut graph, from each of which one search starts, and \f$m\f$ is the largest number of vertices that a
- * search visits. The radius of a search is half the length of the shortest loop found before.
+ * search visits. Once a loop has been found, each search is confined to a radius of half the length of the shortest
+ * loop found so far.
  */
 template <class Triangulation, class... NamedParameters>
 std::vector<Halfedge_index> shortest_loop(const Triangulation& triangulation,

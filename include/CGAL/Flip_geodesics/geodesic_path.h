@@ -214,7 +214,7 @@ Geodesic_result<OutputIterator> geodesic_loop(const TriangleMesh& mesh, const Ve
  * \throws Invalid_coordinate_error as `geodesic_path()` does
  * \throws Invalid_mesh_error as `geodesic_path()` does
  *
- * Complexity: the time of `geodesic_loop()`, including the flips for all curves.
+ * Complexity: the time of `geodesic_path()` without that of the search, for all curves together.
  */
 template <class TriangleMesh, class CurveRange, class OutputIterator, class... NamedParameters>
 Geodesics_result<OutputIterator> geodesic_network(const TriangleMesh& mesh, const CurveRange& curves,

@@ -231,9 +231,9 @@ void compute_paths(Parallel_tag, const Pairs& pairs, std::vector<typename Worksp
  *         TBB for `Parallel_tag`
  *
  * \param mesh a triangle mesh
- * \param pairs a range of `std::pair`s of a source and a target. Each of them is a vertex, or a point of any type that
- *        `geodesic_path()` accepts. If the types differ from pair to pair, the sources and targets are `std::variant`s
- *        of these types
+ * \param pairs a range of `std::pair`s of a source and a target. Sources and targets are vertices, or points of any
+ *        type that `geodesic_path()` accepts. If the types differ from pair to pair, the sources and targets are
+ *        `std::variant`s of these types
  * \param out an output iterator that receives one `Geodesic_path_result` per pair, in the order of the pairs. The
  *        points of the results are points in space, `Face_location`s or `Curve_point`s, as for `geodesic_path()`
  * \param np an optional sequence of named parameters among those listed below, and `vertex_point_map`, `metric` and
@@ -275,7 +275,8 @@ void compute_paths(Parallel_tag, const Pairs& pairs, std::vector<typename Worksp
  *
  * Complexity: the time of the searches and of `shorten()` for all pairs. A mesh other than a `Surface_mesh` is indexed
  * once per thread, in \cgalBigO{n \log n} time for \f$n\f$ faces. If points in space are given, locating them takes
- * \cgalBigO{n \log n} time once per thread, plus \cgalBigO{\log n} time for each point close to the surface.
+ * \cgalBigO{n \log n} time once per thread, plus \cgalBigO{\log n} time for each point close to the surface. If an
+ * exception is thrown for a pair, the thread repeats these preparations before its next pair.
  */
 template <class ConcurrencyTag = Sequential_tag, class TriangleMesh, class PairRange, class OutputIterator,
           class... NamedParameters>

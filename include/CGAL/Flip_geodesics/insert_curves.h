@@ -200,8 +200,8 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  * at most \f$s l + 2^{-48} m\f$. In a nondegenerate face, the same bound applies, where \f$l\f$ is the length of the
  * longest side and \f$m\f$ is the largest absolute value of a coordinate of the corners. A point inside a face is moved
  * to a side if its distance from this side is at most this bound. Likewise, a segment is led through each vertex whose
- * distance from the segment is at most this bound. If \f$s\f$ is zero, only coincident points are merged, and faces of
- * the result can be degenerate unless the kernel has exact constructions.
+ * distance from the segment is at most this bound. If \f$s\f$ is zero, however, the bound is zero: only coincident
+ * points are merged, and faces of the result can be degenerate unless the kernel has exact constructions.
  *
  * The mesh is unchanged if an exception is thrown, unless memory runs out or the visitor throws the exception.
  *

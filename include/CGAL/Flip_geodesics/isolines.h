@@ -264,8 +264,8 @@ private:
 template <class TriangleMesh, class Point = Mesh_point<TriangleMesh>>
 struct Voronoi_boundary : Located_polyline<TriangleMesh, Point>
 {
-  /// The number that replaces a source or junction that does not exist: the nearest source of points with infinite
-  /// distance, and the junctions of closed boundaries and of ends on the border.
+  /// Indicates that no source or junction exists: points with infinite distance have no nearest source, and closed
+  /// boundaries and ends on the border have no junctions.
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
   /// The nearest sources on the left and on the right of the boundary, as seen from the side from which the faces of

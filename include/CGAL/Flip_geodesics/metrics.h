@@ -70,8 +70,9 @@ void check_input(const Metric& metric, const Mesh& mesh)
  * be converted back to elements of the mesh. For example, if `h` is the `Input_halfedge_index` of a surface point,
  * `triangulation.input().halfedge(h)` is the halfedge of the mesh.
  *
- * Complexity: constant for all member functions other than `index()`. If the mesh is a `Surface_mesh`, `index()` also
- * takes constant time. For other meshes, it takes time logarithmic in the size of the mesh.
+ * Complexity: constant for all member functions other than the constructor and `index()`. If the mesh is a
+ * `Surface_mesh`, `index()` also takes constant time. For other meshes, it takes time logarithmic in the size of the
+ * mesh.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  */
@@ -175,8 +176,8 @@ public:
 #endif
 
   /// Returns the length of halfedge `h` without checking it, for use in searches. The result is zero if the two points
-  /// are equal. Unless the number type of the coordinates is exact, the result is also zero if the square of the length
-  /// underflows.
+  /// are equal. If the coordinates are stored as doubles (see `Place`), the result is also zero if the square of the
+  /// length underflows.
   double weight(const Mesh& mesh, Input_halfedge_index h) const
   {
     const double length = std::sqrt(squared_norm(vector(mesh, h)));
@@ -821,7 +822,7 @@ public:
   /// The data of a vertex from which lower bounds are computed. These are the data of the given metric.
   using Place = std::conditional_t<std::is_empty<typename Base::Place>::value, typename Base::Place, Base_place>;
 
-  /// Returns the length of halfedge `h`; the other arguments are ignored.
+  /// Returns the length of halfedge `h`; the places of its ends are ignored.
   double weight(const Mesh& mesh, Input_halfedge_index h, const Place&, const Place&) const { return weight(mesh, h); }
 
   /// Returns the data of the given metric for vertex `v`.

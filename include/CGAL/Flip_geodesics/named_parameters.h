@@ -261,7 +261,7 @@ auto stop_predicate(const StopPredicate& predicate)
 
 /*!
  * \ingroup PkgFlipGeodesicsParameters
- * Sets the amount of work after which a search is aborted.
+ * Sets the limits at which a search ends.
  * \param limit a `Covering_limit` for `shortest_paths_by_class()`, `Distance_field_limits` for
  *        `Geodesic_distance_field` and `Logarithmic_map`, `Mean_limits` for `Geodesic_mean`, and a `Window_limit` for
  *        all other searches

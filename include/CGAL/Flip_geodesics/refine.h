@@ -162,10 +162,10 @@ Refinement_report refine(Triangulation& triangulation, const OnSplit& on_split, 
  *
  * Two kinds of faces are *exempt* from the bound on angles. In a face of the first kind, the smallest angle is part of
  * an angle of less than 60 degrees between two constrained edges, or lies at a vertex whose angles sum to less than 60
- * degrees; insertions do not change that angle and this sum. In a face of the second kind, the shortest side connects
- * two constrained edges that meet at an angle of less than 60 degrees, and the distances of its ends from the common
- * vertex of the two edges differ by less than 20 %. An insertion at this side would cause another insertion closer to
- * the common vertex, and so on without end \cgalCite{S02}.
+ * degrees. Insertions change neither the angle between the two edges nor the sum at the vertex. In a face of the second
+ * kind, the shortest side connects two constrained edges that meet at an angle of less than 60 degrees, and the
+ * distances of its ends from the common vertex of the two edges differ by less than 20 %. An insertion at this side
+ * would cause another insertion closer to the common vertex, and so on without end \cgalCite{S02}.
  *
  * \param network an `Edge_path_network`. Its triangulation is refined, and must be a model of
  *        `IntrinsicTriangulationOfMesh`

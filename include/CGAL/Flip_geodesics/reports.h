@@ -82,7 +82,7 @@ Verdict verdict_of_curves(const Curves& curves, const VerdictOf& verdict_of)
 } // namespace internal
 
 /// \ingroup PkgFlipGeodesicsTraits
-/// Counts how the filter failures of predicates were resolved.
+/// Counts the filter failures of predicates, by the method that resolved them.
 struct Decision_statistics
 {
   std::size_t by_memory = 0;      ///< by the cached result for an angle between the same two edges; such failures are
@@ -96,8 +96,8 @@ struct Decision_statistics
   /// The number of signs that were assumed to be zero without proof, because 50 digits did not suffice and the work
   /// limit was reached; see `Certified_intrinsic_triangulation_traits::sign_work_limit()`.
   std::size_t unproven_zeros = 0;
-  /// The largest number of square roots in a single sign computed by exact arithmetic. Roots that are rational
-  /// multiples of one another count once.
+  /// The largest number of square roots in an expression whose sign was computed by exact arithmetic. Roots that are
+  /// rational multiples of one another count once.
   std::size_t most_roots = 0;
 
   /// Adds the counts of other statistics, and keeps the larger value of `most_roots`.

@@ -116,8 +116,8 @@ public:
   /// `IntrinsicTriangulationOfMesh`, the straightness of the curves is computed from the input. If, in addition, the
   /// predicates of the traits are exact and the input is not rounded, the curves are certified.
   ///
-  /// Complexity: linear in the number of segments plus the number of input edges that the curves cross plus the sum of
-  /// the degrees of the vertices through which the curves pass, if the floating-point filter suffices.
+  /// Complexity: if the floating-point filter suffices, linear in the number of segments plus the number of input edges
+  /// that the curves cross plus the sum of the degrees of the vertices through which the curves pass.
   Shortening_report report() const
   {
     Verdicts verdicts(static_cast<std::size_t>(m_network.number_of_curves()), Verdict::UNDECIDED);

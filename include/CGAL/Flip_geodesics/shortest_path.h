@@ -195,7 +195,7 @@ public:
   double distance_lower_bound(Vertex_index v, Vertex_index w) const { return m_rows.distance_lower_bound(v, w); }
 
   /*!
-   * Checks whether the landmarks can have been computed for the input of a triangulation.
+   * Checks whether the landmarks could have been computed for the input of a triangulation.
    *
    * The function compares the numbers of vertices, edges and faces. It also compares one edge of each border and at
    * most `number_of_landmarks()` edges at landmarks: their lengths, and whether they lie on the border. It thus detects
