@@ -176,8 +176,8 @@ public:
 #endif
 
   /// Returns the length of halfedge `h` without checking it, for use in searches. The result is zero if the two points
-  /// are equal. If the coordinates are stored as doubles (see `Place`), the result is also zero if the square of the
-  /// length underflows.
+  /// are equal. Unless the number type of the coordinates is exact and has rational values, the result is also zero if
+  /// the square of the length underflows.
   double weight(const Mesh& mesh, Input_halfedge_index h) const
   {
     const double length = std::sqrt(squared_norm(vector(mesh, h)));

@@ -138,12 +138,12 @@ Refinement_report refine(Triangulation& triangulation, const OnSplit& on_split, 
  *
  * Refines a triangulation until no angle is too small and no edge is too long.
  *
- * The function first makes the triangulation Delaunay by flips. It then inserts vertices at the circumcenters of *bad*
- * faces, that is, faces that violate a bound and are not exempt. The worst face is processed first, and each insertion
- * is followed by flips \cgalCite{SSC19,section 4.3}. The edges of curves and of the border are constrained: if such an
- * edge lies between a face and its circumcenter, or is too close to the circumcenter, no vertex is inserted at the
- * circumcenter; the edge is split at a new vertex instead. Apart from rounding errors, curves therefore remain
- * geodesics of unchanged length, and the surface does not change.
+ * The function first flips edges until all edges that carry no curve are locally Delaunay. It then inserts vertices at
+ * the circumcenters of *bad* faces, that is, faces that violate a bound and are not exempt. The worst face is processed
+ * first, and each insertion is followed by flips \cgalCite{SSC19,section 4.3}. The edges of curves and of the border
+ * are constrained: if such an edge lies between a face and its circumcenter, or is too close to the circumcenter, no
+ * vertex is inserted at the circumcenter; the edge is split at a new vertex instead. Apart from rounding errors, curves
+ * therefore remain geodesics of unchanged length, and the surface does not change.
  *
  * \attention Since the positions of inserted vertices on curves are rounded, also with exact kernels, `certify()`
  * usually finds a bend of the size of a rounding error at such a vertex. Call `certify()` before the refinement. After
