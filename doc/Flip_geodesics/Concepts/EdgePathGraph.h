@@ -9,7 +9,7 @@
  *
  * `shorten()` keeps the free wedges in a queue, ordered by their angles. A model must not reuse the index of a removed
  * segment while a shortening is in progress, since the queue can still contain this index. `replace_joint()` must
- * report every wedge that can have become free. It need not report wedges that are no longer free, since `shorten()`
+ * report every wedge that may have become free. It need not report wedges that are no longer free, since `shorten()`
  * examines each wedge again when it is taken from the queue.
  *
  * A model must place exactly one hold on each edge of the triangulation on which its segments lie, and no holds on

@@ -50,9 +50,9 @@ class FlipOutVisitor
 public:
   /// Returns whether the computation should continue. `shorten()` calls this member before each step. If the result is
   /// `false`, the shortening ends, and the curves that could still be shortened have the status
-  /// `Shortening_status::STOPPED_BY_VISITOR`. `geodesic_paths()` also calls this member before it processes each pair of
-  /// end points. Searches, distance fields, and the computations of loops, landmarks and isolines call this member about
-  /// once per thousand of their own steps, which is usually at least once per millisecond.
+  /// `Shortening_status::STOPPED_BY_VISITOR`. `geodesic_paths()` also calls this member before it processes each pair
+  /// of end points. Searches, distance fields, and the computations of loops, landmarks and isolines call this member
+  /// about once per thousand of their own steps, which is usually at least once per millisecond.
   bool go_further();
 
   /// (Optional) Is called by `geodesic_distance_matrix()` before each call of `go_further()`. The argument is the

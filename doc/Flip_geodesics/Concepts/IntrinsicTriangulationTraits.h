@@ -117,8 +117,8 @@ public:
   /// arithmetic on the input. If the result is uncertain and `Has_drift` is `CGAL::Tag_true`, the triangulation throws
   /// `CGAL::Uncertain_conversion_exception`. A model may also throw this exception itself.
   ///
-  /// The turn consists of the two corners that the faces of an edge have at one end of the edge, or its angle was below
-  /// \f$\pi\f$ before the last corner was added. Since each corner is at most \f$\pi\f$, the angle never exceeds
+  /// The turn consists of the two corners that the faces of an edge have at one end of the edge, or its angle was at
+  /// most \f$\pi\f$ before the last corner was added. Since each corner is at most \f$\pi\f$, the angle never exceeds
   /// \f$2\pi\f$.
   typedef unspecified_type Compare_turn_with_straight;
 
@@ -142,8 +142,8 @@ public:
 
   /// `Uncertain<bool> operator()(h, hn, hp, t, tn, tp) const`, where all arguments are of type
   /// `const Halfedge_geometry&`: returns whether the edge between the faces `(h, hn, hp)` and `(t, tn, tp)` is locally
-  /// Delaunay, that is, whether the angles at the heads of `hn` and `tn`, which are opposite to the edge, add up to at
-  /// most \f$\pi\f$. If the sum is equal to \f$\pi\f$, the four vertices lie on a circle, and the edge is locally
+  /// Delaunay. This is the case if the angles at the heads of `hn` and `tn`, which are opposite to the edge, add up to
+  /// at most \f$\pi\f$. If the sum is equal to \f$\pi\f$, the four vertices lie on a circle, and the edge is locally
   /// Delaunay.
   ///
   /// A model with rounding errors must treat a sum that exceeds \f$\pi\f$ by less than a tolerance as equal to
@@ -213,7 +213,7 @@ public:
   /// \name Work limit
   /// @{
 
-  /// Returns the work limit for each sign that the triangulation determines by exact arithmetic because the result of a
+  /// Returns the work limit for one sign. The triangulation determines a sign by exact arithmetic if the result of a
   /// functor is uncertain. The unit of the limit is that of
   /// `CGAL::Flip_geodesics::Certified_intrinsic_triangulation_traits::sign_work_limit()`. This member is required only
   /// if `Has_drift` is `CGAL::Tag_false`.

@@ -4,8 +4,8 @@
  * \ingroup PkgFlipGeodesicsConcepts
  * \cgalConcept
  *
- * The concept `IntrinsicTriangulationWalker` describes a handle to a halfedge of an `IntrinsicTriangulation`. Its
- * members return information about the halfedge, and walkers at neighboring halfedges.
+ * The concept `IntrinsicTriangulationWalker` describes a handle to a halfedge of an `IntrinsicTriangulation`. Most
+ * of its members return information about the halfedge, or walkers at neighboring halfedges.
  *
  * \sa `IntrinsicTriangulation`
  */

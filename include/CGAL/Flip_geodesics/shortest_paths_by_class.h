@@ -356,10 +356,10 @@ Paths_of_classes<TriangleMesh, Form> paths_by_class_between(Triangulation& trian
  * `number` homotopy classes. The classes with the shortest paths are chosen. Any two of the paths together form a
  * closed curve that cannot be contracted to a point.
  *
- * On a sphere or a disk, only one class exists. Obstacles create further classes: the mesh can be a
+ * On a sphere or a disk, only one class exists. Obstacles can create further classes: the mesh can be a
  * `CGAL::Face_filtered_graph` without the faces that paths must not enter. The function contracts degenerate edges if
- * they affect the result. If the ends coincide, the first path consists of that point and has length zero, and the
- * others are the shortest loops at the point, one in each class.
+ * they affect the result. If the ends are the same point, the first path consists of this point and has length zero,
+ * and the others are the shortest loops at the point, one in each class.
  *
  * \param mesh a triangle mesh in which no two umbrellas meet at a vertex
  * \param source, target points in the same connected component, of any types that `shortest_path()` accepts
@@ -399,10 +399,10 @@ Paths_of_classes<TriangleMesh, Form> paths_by_class_between(Triangulation& trian
  * \throws Insertion_error as `shortest_path()` does
  *
  * Complexity: \cgalBigO{m \log m} time, where \f$m\f$ is the number of vertices of the cover that are visited, plus the
- * time of `shortest_path()` for each path. A vertex is visited if an edge path that leads through it can be at most as
- * long as the edge paths of the first `number` classes. It is also visited if a path of another class that leads
- * through it can be at most as long as the last result. If the limit is reached, the time is roughly proportional to
- * the limit.
+ * time of `shortest_path()` for each path. Let \f$L\f$ be the length of the longest edge path among the shortest edge
+ * paths of the first `number` classes. A vertex is visited if an edge path of length at most \f$L\f$ leads through it.
+ * Further vertices are visited, roughly those through which a path can lead that is shorter than the last result. If
+ * the limit is reached, the time is roughly proportional to the limit.
  *
  * The function searches for shortest edge paths in the universal cover of the surface, in which each class of paths has
  * its own end point. A part of the cover is constructed. In this part, shortest paths to these end points are computed

@@ -234,8 +234,8 @@ private:
  * they are computed in doubles and without flips. Finally, the resulting geodesic segments are inserted by flipping the
  * edges that they cross.
  *
- * If the result is unreliable because of degenerate faces, segments that block each other, or rounding errors, all
- * flips are undone, and the path itself is added.
+ * If the result cannot be used, for example because of degenerate faces, segments that block each other, or rounding
+ * errors, all flips are undone, and the path itself is added.
  *
  * \param network an empty network in a triangulation that has not been flipped
  * \param path the halfedges of an open path, whose length becomes the initial length of the curve

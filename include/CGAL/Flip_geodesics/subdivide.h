@@ -54,8 +54,8 @@ struct Subdivision_vertex
  * and `cut_along_curves()` omit crossings and inserted vertices that do not lie on curves.
  *
  * The connectivity is exact, regardless of rounding errors in positions. The mesh is oriented. It is manifold if the
- * input is manifold and, unless it is cut open, has the components, borders and genus of the input. Since positions are
- * rounded, very thin faces can be geometrically degenerate.
+ * input is manifold. Unless the mesh is cut open, it has the components, borders and genus of the input. Since
+ * positions are rounded, very thin faces can be geometrically degenerate.
  *
  * Two edges can have the same two end points only in a common subdivision, and only if two faces of the input mesh
  * share all three vertices or two edges of the input mesh share both end points. A mesh with such edges cannot be

@@ -75,8 +75,8 @@ Surface_location surface_location(
  * this halfedge, and the third to the remaining vertex of the face. The coordinates are rounded to `double`, even if
  * their number type is exact.
  *
- * Coordinates of at most `snap` count as exactly zero. For example, if rounding errors led to a coordinate of -5.6e-17
- * instead of zero, the point nevertheless lies on the intended edge or vertex.
+ * Coordinates of at most `snap` count as exactly zero. For example, if rounding errors have led to a coordinate
+ * of -5.6e-17 instead of zero, the point nevertheless lies on the intended edge or vertex.
  *
  * \param triangulation the triangulation
  * \param mesh the mesh of the triangulation

@@ -295,7 +295,7 @@ private:
 };
 
 /// \ingroup PkgFlipGeodesicsTangents
-/// Contains the result of `logarithmic_map()` of a surface point.
+/// Contains the result of `logarithmic_map()`.
 template <class OutputIterator, class TriangleMesh>
 struct Logarithmic_map_result
 {
@@ -504,8 +504,9 @@ std::pair<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor, doubl
  * The vector is projected onto the plane of the face of the first location. The result lies in the plane of the face of
  * the last location, and has the length of the projection.
  *
- * At a vertex, a vector can point out of the corner of the face. Such a vector represents the direction at the same
- * angle on the surface. This direction is unambiguous if the angles at the vertex sum to \f$2\pi\f$.
+ * At a vertex, a vector can point out of the corner of the face. Such a vector represents the direction on the surface
+ * that makes the same angle with a side of the corner. This direction is unambiguous if the angles at the vertex sum to
+ * \f$2\pi\f$.
  *
  * \param mesh a triangle mesh
  * \param curve a range of `Face_location`s. Vertices must also be given as `Face_location`s, since vectors lie in the

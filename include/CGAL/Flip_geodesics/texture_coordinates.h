@@ -195,7 +195,7 @@ Value picture_place(double x, double y)
  *
  * Complexity: the time of computing a `Geodesic_distance_field` up to a radius. The radius is the distance from the
  * center of the image to its corners plus the length of the longest edge of the mesh. In addition, at most as many
- * windows as in this field are created.
+ * windows as in this field are created, and every face of the mesh is visited.
  */
 template <class TriangleMesh, class Source, class CornerMap, class... NamedParameters>
 Texture_report texture_coordinates(
