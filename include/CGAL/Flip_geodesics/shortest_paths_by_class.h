@@ -399,10 +399,10 @@ Paths_of_classes<TriangleMesh, Form> paths_by_class_between(Triangulation& trian
  * \throws Insertion_error as `shortest_path()` does
  *
  * Complexity: \cgalBigO{m \log m} time, where \f$m\f$ is the number of vertices of the cover that are visited, plus the
- * time of `shortest_path()` for each path. Let \f$L\f$ be the length of the longest edge path among the shortest edge
- * paths of the first `number` classes. A vertex is visited if an edge path of length at most \f$L\f$ leads through it.
- * Further vertices are visited, roughly those through which a path can lead that is shorter than the last result. If
- * the limit is reached, the time is roughly proportional to the limit.
+ * time of `shortest_path()` for each path. Sort the shortest edge paths of all classes by length, and let \f$L\f$ be
+ * the length of path `number`. A vertex is visited if an edge path of length at most \f$L\f$ leads through it. Further
+ * vertices are visited, roughly those through which a path can be shorter than the last result. If the limit is
+ * reached, the time is roughly proportional to the limit.
  *
  * The function searches for shortest edge paths in the universal cover of the surface, in which each class of paths has
  * its own end point. A part of the cover is constructed. In this part, shortest paths to these end points are computed
