@@ -244,6 +244,15 @@ BOOST_AUTO_TEST_CASE(a_visitor_is_told_of_each_vertex)
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_time_limit_ends_the_refinement)
+{
+  Curve_setting s(jittered_grid(10, 10, Diagonal_rule::RANDOM, 0.2, 3));
+  const FG::Refinement_report report =
+      FG::refine(s.triangulation, {}, CGAL::parameters::visitor(FG::Time_stop_predicate(std::chrono::seconds(0))));
+  BOOST_CHECK(report.status == FG::Refinement_status::STOPPED_BY_VISITOR);
+  BOOST_CHECK_EQUAL(report.insertions + report.splits, 0);
+}
+
 // Where points lie on one input edge, closer together than numbers can tell, rounded flips may lead an edge around them
 // on either side. Here such flips are made on purpose.
 BOOST_AUTO_TEST_CASE(wrong_flips_between_points_of_one_edge_are_told)

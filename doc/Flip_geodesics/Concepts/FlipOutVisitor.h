@@ -15,8 +15,8 @@
  * `shortest_paths_by_class()` call only `go_further()`. `geodesic_distances()` and `logarithmic_map()` call
  * `go_further()` and, if they grow a tree, `on_flip()`.
  *
- * If the visitor stops one of these functions, the report of the function states this. A stopped function writes no
- * output, and all objects remain valid.
+ * If the visitor stops one of these functions, the report of the function states this, and all objects remain valid. A
+ * stopped function does not write output, except for `geodesic_loop_basis()`.
  *
  * The computations in the following table call only `go_further()`, at regular intervals. After `go_further()` has
  * returned `false`, they do not call it again, and return the following results:
@@ -32,7 +32,8 @@
  * | `isolines()`, `voronoi_boundaries()` | no output |
  *
  * `shorten_cut_graph()` and `geodesic_loop_basis()` shorten curves several times. After the visitor has stopped one of
- * these shortenings, the remaining shortenings do not take any steps.
+ * these shortenings, the remaining shortenings do not take any steps; `geodesic_loop_basis()` then writes the loops
+ * without shortening them further.
  *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Flip_geodesics::Default_shortening_visitor}

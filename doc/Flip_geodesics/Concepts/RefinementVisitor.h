@@ -11,6 +11,7 @@
  *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Flip_geodesics::Default_shortening_visitor}
+ * \cgalHasModels{CGAL::Flip_geodesics::Time_stop_predicate}
  * \cgalHasModelsEnd
  *
  * \sa `CGAL::Flip_geodesics::refine()`

@@ -206,7 +206,7 @@ decltype(auto) restarted(const StopPredicate& stop)
 /// `geodesic_path_through()` restart the timer for each path or leg, so the limit applies to each one separately. As a
 /// visitor, the object limits the time of any computation that accepts a visitor, for example of a search, a tree or a
 /// distance field.
-/// \cgalModels{FlipOutStopPredicate} \cgalModels{FlipOutVisitor}
+/// \cgalModels{FlipOutStopPredicate} \cgalModels{FlipOutVisitor} \cgalModels{RefinementVisitor}
 class Time_stop_predicate : public Default_shortening_visitor
 {
 public:
