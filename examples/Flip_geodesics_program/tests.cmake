@@ -223,17 +223,54 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   no_pair.csv)
   flip_geodesics_add_program_test(no_edge_but_space 2 "--to: '0,100,0.5' names .*write x.0,y.0,z for a point in space"
                                   path torus.off --from 0 --to 0,100,0.5)
+  # Coordinates are not read as numbers of vertices.
+  file(WRITE ${program_dir}/coordinates.txt "20.0 8 10 8.0 20 3\n")
+  file(WRITE ${program_dir}/closed_coordinates.txt "o 20.0 0 0 20.0 8 0 1 2 3\n")
+  file(WRITE ${program_dir}/exponents.txt "2e1 8\n")
+  set(no_vertex "is not the number of a vertex. write a whole number, counted from 0, or x.0,y.0,z, [^\n]* point in space")
+  flip_geodesics_add_program_test(decimal_vertex 2 "--from: '20.0' ${no_vertex}" path torus.off --from 20.0 --to 150)
+  flip_geodesics_add_program_test(decimal_target 2 "--to: '150.' ${no_vertex}" shortest torus.off --from 20 --to 150.)
+  flip_geodesics_add_program_test(decimal_source 2 "--source: '20.0' ${no_vertex}" distance torus.off --source 20.0
+                                  --spacing 0.3)
+  flip_geodesics_add_program_test(decimal_vertex_of_trace 2 "--trace: '20.0' ${no_vertex}" trace torus.off --trace
+                                  20.0,8,10)
+  flip_geodesics_add_program_test(decimal_vertex_of_face 2 "--from: '12.0' ${no_vertex}" path torus.off --from
+                                  0,12.0,13,0.3,0.3 --to 150)
+  flip_geodesics_add_program_test(exponent_in_pair 2 "exponents.txt line 1: '2e1' ${no_vertex}" path torus.off --pairs
+                                  exponents.txt)
+  foreach(command "path --points coordinates" "spline --bezier coordinates" "distance --map x.csv --sources coordinates"
+                  "path --draw closed_coordinates" "cut --cut x.off --draw closed_coordinates")
+    separate_arguments(arguments UNIX_COMMAND "${command}.txt")
+    list(POP_FRONT arguments name)
+    list(GET arguments -2 option)
+    flip_geodesics_add_program_test(coordinates_of_${name}_${option} 2 "coordinates.txt line 1: '20.0' ${no_vertex}" ${name}
+                                    torus.off ${arguments})
+  endforeach()
+  flip_geodesics_add_program_test(ambiguous_point 2
+                                  "--from: '0,1,0' is ambiguous. write 0.0,1.0,0 for a point in space, or 0 for the vertex"
+                                  path torus.off --from 0,1,0 --to 150)
+  flip_geodesics_add_program_test(ambiguous_source 2
+                                  "--source: '0,1,1' is ambiguous. write 0.0,1.0,1 for a point in space, or 1 for the vertex"
+                                  log torus.off --source 0,1,1)
+  flip_geodesics_add_program_test(ambiguous_point_of_no_edge 2 "--trace: '500,0,1' is ambiguous. write 500.0,0.0,1 for" trace
+                                  torus.off --trace 500,0,1,0.5,2)
+  set(in_space "or write x.0,y.0,z for a point in space")
+  flip_geodesics_add_program_test(whole_coordinates 2 "--from: '20,8,10' is outside its edge or face.* at most 1, ${in_space}"
+                                  path torus.off --from 20,8,10 --to 150)
+  flip_geodesics_add_program_test(coordinates_beyond_vertices 2
+                                  "--from: vertex 500 does not exist. use 0 to 287, ${in_space}" path torus.off --from
+                                  500,0,0.5 --to 150)
   flip_geodesics_add_program_test(far_end 0 "1 point is not on the mesh, but at a distance of 1e.70 .--to" path torus.off
                                   --from 0 --to 1e70,0,0)
   flip_geodesics_add_program_test(shortest_tree_from_point 2 "--shortest requires a vertex as the source, and 0,12,0.3 is not one. omit"
                                   log torus.off --source 0,12,0.3 --shortest)
   flip_geodesics_add_program_test(shortest_tree_from_location_of_vertex 0 "shortest 287 paths, confirmed" log torus.off
-                                  --source 0,12,0 --shortest)
+                                  --source 0,12,0.0 --shortest)
   flip_geodesics_add_program_test(shortest_between_points 0 "1 WITHIN_ROUNDING\ncertificates: 1 PROVEN" shortest
                                   torus.off --from 0 --to 0.1,0.2,0.3 --cut shortest_cut.off)
   flip_geodesics_add_program_test(shortest_pairs_of_points 0 "4 WITHIN_ROUNDING" shortest torus.off --pairs pairs.csv
                                   --polylines shortest_points.out)
-  flip_geodesics_add_program_test(shortest_between_locations_of_vertices 0 " 2.77034 " shortest torus.off --from 0,1,0
+  flip_geodesics_add_program_test(shortest_between_locations_of_vertices 0 " 2.77034 " shortest torus.off --from 0,1,0.0
                                   --to 150)
   flip_geodesics_add_program_test(ways_between_points 0 "3 WITHIN_ROUNDING.*ways     3 of --from, --to, confirmed" shortest
                                   torus.off --from 13,14,0.5 --to 1.5,0,0.1 --ways 3)
@@ -686,9 +723,9 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   --source 0 --isolines 0.1,)
   flip_geodesics_add_program_test(left_out_source 2 "--source: '' is not a point" distance torus.off --source 0,,1
                                   --isolines 1)
-  flip_geodesics_add_program_test(source_too_large 2 "--source: the vertex of a point is [0-9.e+]+, but must be a whole number" distance torus.off
+  flip_geodesics_add_program_test(source_too_large 2 "--source: '99999999999999999999' is not the number of a vertex. write a whole number" distance torus.off
                                   --source 0,99999999999999999999 --isolines 1)
-  flip_geodesics_add_program_test(vertex_too_large 2 "--from: the vertex of a point is [0-9.e+]+, but must be a whole number below 1e15" path
+  flip_geodesics_add_program_test(vertex_too_large 2 "--from: '99999999999999999999' is not the number of a vertex. write a whole number" path
                                   torus.off --from 99999999999999999999 --to 3)
   flip_geodesics_add_program_test(seed_too_large 2 "--seed: '99999999999999999999' is out of range" path torus.off
                                   --random 1 --seed 99999999999999999999)
@@ -978,7 +1015,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(escape_in_option 2 "--kernel: '[?]c' is not known" path torus.off --random 2 --kernel
                                   "${escape}c")
   flip_geodesics_add_program_test(marked 0 "2 LOCALLY_SHORTEST" path torus.off --pairs marked.txt)
-  flip_geodesics_add_program_test(beyond 2 "beyond.txt line 1: the vertex of a point is 1e[+]20, but must be a whole number" path
+  flip_geodesics_add_program_test(beyond 2 "beyond.txt line 1: '99999999999999999999' is not the number of a vertex" path
                                   torus.off --pairs beyond.txt)
   flip_geodesics_add_program_test(none_at_random 2 "--random: '0' is out of range" path torus.off --random 0)
   flip_geodesics_add_program_test(too_many_at_random 2 "--random: '99999999999' is out of range" path torus.off --random

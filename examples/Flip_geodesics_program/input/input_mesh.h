@@ -51,13 +51,14 @@ public:
 
   /*!
    * The vertex that a user names by its number: another one if a repair merged it into that, the first of its parts if
-   * it was split. \param name where the user does so, for messages \throws Bad_input if there is none
+   * it was split. \param name where the user does so, for messages \param alternative what to write instead, for
+   * messages \throws Bad_input if there is none
    */
-  Vertex_index vertex(long long v, const std::string& name) const
+  Vertex_index vertex(long long v, const std::string& name, const std::string& alternative = "") const
   {
     if(v < 0 || v >= static_cast<long long>(m_mesh.number_of_vertices()))
       throw Bad_input(name + ": vertex " + std::to_string(v) + " does not exist; use 0 to " +
-                      std::to_string(m_mesh.number_of_vertices() - 1));
+                      std::to_string(m_mesh.number_of_vertices() - 1) + alternative);
     const auto point = static_cast<std::size_t>(v);
     if(!m_report || point >= m_report->number_of_points())
       return Vertex_index(static_cast<Index>(v));

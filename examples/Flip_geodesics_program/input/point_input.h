@@ -27,6 +27,7 @@
 // Points anywhere on the mesh, in files and options: `v` is a vertex, `a,b,t` the point (1-t) a + t b of an edge, and
 // `a,b,c,t,u` the point (1-t-u) a + t b + u c of a face, as in the polylines that the program writes. Three numbers of
 // which the first two are not both written as whole numbers are a point in space, for the nearest point of the mesh.
+// Vertices must be written as whole numbers, and three whole numbers are not accepted, since they may be coordinates.
 // Polylines are lines of points, after `o` closed; or, in a file `.polylines.txt`, lines of points in space.
 namespace program {
 
@@ -139,12 +140,25 @@ inline std::vector<double> read_numbers(std::string_view word, const std::string
   return numbers;
 }
 
-inline Vertex_index read_vertex(const Input_mesh& mesh, double number, const std::string& name)
+/// Returns whether numbers, with commas between them, are all written without a decimal point and an exponent.
+inline bool are_whole(std::string_view numbers)
 {
-  if(!(number >= -1e15 && number <= 1e15) || number != static_cast<double>(static_cast<long long>(number)))
-    throw Bad_input(name + ": the vertex of a point is " + decimal_text(number) +
-                    ", but must be a whole number below 1e15; write its number, counted from 0");
-  return mesh.vertex(static_cast<long long>(number), name);
+  return numbers.find_first_not_of("0123456789,+-") == std::string_view::npos;
+}
+
+/// What to write instead of three numbers that do not denote a point of an edge, for messages.
+constexpr const char* advice_on_coordinates = ", or write x.0,y.0,z for a point in space";
+
+/// \param alternative what to write instead of the number of a vertex, for messages \throws Bad_input
+inline Vertex_index read_vertex(const Input_mesh& mesh, std::string_view word, const std::string& name,
+                                const std::string& alternative = "")
+{
+  long long number = 0;
+  if(parse_number(word, number) != nullptr)
+    throw Bad_input(name + ": '" + printable(word) +
+                    "' is not the number of a vertex; write a whole number, counted from 0, or x.0,y.0,z, with commas "
+                    "and without blanks, for a point in space");
+  return mesh.vertex(number, name, alternative);
 }
 
 /// Finds the points that words stand for.
@@ -169,12 +183,11 @@ public:
   {
     const std::vector<double> n = read_numbers(word, name);
     m_is_reversed = false;
-    if(n.size() == 3 && word.substr(0, word.rfind(',')).find_first_not_of("0123456789,+-") != std::string_view::npos)
+    if(n.size() == 3 && !are_whole(word.substr(0, word.rfind(','))))
       return nearest_point({n[0], n[1], n[2]}, name);
     if(n.size() != 1 && n.size() != 3 && n.size() != 5)
       throw_no_point(word, name);
-    const Vertex_index a = read_vertex(m_input_mesh, n[0], name);
-    return n.size() == 1 ? at_vertex(a, name) : in_face(a, n, word, name);
+    return n.size() == 1 ? at_vertex(read_vertex(m_input_mesh, word, name), name) : in_face(n, word, name);
   }
 
   Surface_location nearest_point(const Point_3& p, const std::string& name)
@@ -193,22 +206,36 @@ private:
     return {index_of(m_mesh.opposite(h)), {{1, 0, 0}}};
   }
 
-  Surface_location in_face(Vertex_index a, const std::vector<double>& n, std::string_view word, const std::string& name)
+  // Three whole numbers denote an end of an edge at best, for which the number of a vertex suffices.
+  [[noreturn]] static void throw_ambiguous(const std::vector<std::string_view>& pieces, std::string_view word,
+                                           const std::string& name, double t)
   {
-    const Vertex_index b = read_vertex(m_input_mesh, n[1], name);
-    const Vertex_index c = n.size() == 5 ? read_vertex(m_input_mesh, n[2], name) : Vertex_index();
-    const double t = n[n.size() == 5 ? 3 : 2], u = n.size() == 5 ? n[4] : 0;
+    const auto piece = [&](std::size_t i) { return printable(pieces[i]); };
+    throw Bad_input(name + ": '" + printable(word) + "' is ambiguous; write " + piece(0) + ".0," + piece(1) + ".0," +
+                    piece(2) + " for a point in space, or " + piece(t == 0 ? 0 : 1) + " for the vertex");
+  }
+
+  Surface_location in_face(const std::vector<double>& n, std::string_view word, const std::string& name)
+  {
+    const std::vector<std::string_view> pieces = pieces_of(word);
+    const bool is_on_edge = n.size() == 3;
+    const std::string alternative = is_on_edge ? advice_on_coordinates : "";
+    const double t = n[is_on_edge ? 2 : 3], u = is_on_edge ? 0 : n[4];
     if(!(t >= 0 && u >= 0 && t + u <= 1))
       throw Bad_input(name + ": '" + printable(word) +
-                      "' is outside its edge or face; t and u must be at least 0, and their sum at most 1");
+                      "' is outside its edge or face; t and u must be at least 0, and their sum at most 1" +
+                      alternative);
+    if(is_on_edge && are_whole(word))
+      throw_ambiguous(pieces, word, name, t);
+    const auto vertex = [&](std::size_t i) { return read_vertex(m_input_mesh, pieces[i], name, alternative); };
+    const Vertex_index a = vertex(0), b = vertex(1), c = is_on_edge ? Vertex_index() : vertex(2);
     const auto weight = [](double x) { return x < 1e-100 ? 0 : x; }; // the least positive one of a location
     if(const auto location = location_between(m_mesh, a, b, c, weight(t), weight(u))) {
       m_is_reversed = m_mesh.source(mesh_halfedge(location->halfedge)) != mesh_vertex(a);
       return *location;
     }
     throw Bad_input(name + ": '" + printable(word) +
-                    "' names vertices that do not form an edge or face of the mesh; correct " +
-                    (c.is_valid() ? "them" : "them, or write x.0,y.0,z for a point in space"));
+                    "' names vertices that do not form an edge or face of the mesh; correct them" + alternative);
   }
 
   const Input_mesh& m_input_mesh;
@@ -232,8 +259,7 @@ inline std::vector<Named_point> read_named_points(const Input_mesh& mesh, const 
   Point_reader read_point(mesh);
   std::vector<Named_point> result;
   for(const std::string& word : words) {
-    const bool is_list = word.find_first_not_of("0123456789,+-") == std::string::npos;
-    for(const std::string_view piece : is_list ? pieces_of(word) : std::vector<std::string_view>{word})
+    for(const std::string_view piece : are_whole(word) ? pieces_of(word) : std::vector<std::string_view>{word})
       result.push_back(read_named_point(read_point, std::string(piece), name));
   }
   return result;

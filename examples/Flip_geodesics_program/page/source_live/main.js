@@ -319,7 +319,7 @@ class Live_page {
   // text: the number of a vertex, or coordinates, for the nearest point of the surface
   addAt(text) {
     const numbers = text.trim().split(/[\s,;]+/).map(Number);
-    const isVertex = numbers.length === 1 && Number.isInteger(numbers[0]) && text.trim() !== '';
+    const isVertex = /^[+-]?\d+$/.test(text.trim()); // as the program reads it: 17.0 can be a coordinate
     const place = isVertex ? this.stage.placeOfVertex(numbers[0])
       : numbers.length === 3 && numbers.every(Number.isFinite) ? this.stage.nearestPlace(this.stage.fromUnits(numbers)) : undefined;
     if (place) return this.addPoint(place, false);
