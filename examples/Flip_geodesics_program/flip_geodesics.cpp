@@ -122,8 +122,14 @@ struct Run
   void open()
   {
     outputs.emplace(options);
-    if(!options.is_quiet && options.command != "info") // which has them among the defects
-      for(const std::string& remark : input.remarks())
+    if(options.command != "info") // which has them among the defects
+      print_remarks(input.remarks());
+  }
+
+  void print_remarks(const std::vector<std::string>& remarks) const
+  {
+    if(!options.is_quiet)
+      for(const std::string& remark : remarks)
         std::cerr << "flip_geodesics: " << remark << '\n';
   }
 
@@ -136,6 +142,9 @@ struct Run
     std::istringstream in(lines);
     for(std::string line; std::getline(in, line);)
       remarks.push_back(line);
+    const std::vector<std::string> remarks_on_files = outputs->remarks(input);
+    remarks.insert(remarks.end(), remarks_on_files.begin(), remarks_on_files.end());
+    print_remarks(remarks_on_files);
     if(!defect.empty()) {
       remarks.push_back(defect);
       std::cerr << "flip_geodesics: " << name_of_input(options.mesh) << ": " << defect << '\n';

@@ -780,6 +780,21 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   add_test(NAME program_meshes_at_point COMMAND ${CMAKE_COMMAND} -E sha256sum point.subdivision.off point.insert.off
                                                 point.cut.off WORKING_DIRECTORY ${program_dir})
   set_tests_properties(program_meshes_at_point PROPERTIES DEPENDS program_refine_at_point)
+  # STL does not store the cut, and a repair merges the points of its two sides.
+  flip_geodesics_add_program_test(cut_in_stl 0 "slit.stl: 4 vertices coincide with others; readers of STL, .* close cuts. use an .off" path torus.off
+                                  --edges slit.txt --cut slit.stl)
+  file(WRITE ${program_dir}/slit.txt "0 1 2 3\n")
+  flip_geodesics_add_program_test(cut_in_stl_is_closed 0 "components  1\n[^\n]*genus 1, 0 borders" info slit.stl)
+  set_tests_properties(program_cut_in_stl_is_closed PROPERTIES DEPENDS program_cut_in_stl)
+  flip_geodesics_add_program_test(cut_in_stl_quietly 0 "^$" path torus.off --edges slit.txt --cut quiet_slit.stl --quiet)
+  flip_geodesics_add_program_test(cut_in_stl_as_json 0 "\"remarks\":[^\n]*json_slit.stl: 4 vertices coincide" path
+                                  torus.off --edges slit.txt --cut json_slit.stl --json -)
+  flip_geodesics_add_program_test(cut_in_ply 0 "^[^:]*torus.off: [^\n]*\ncurve.*extract [^\n]*\n$" path torus.off --edges
+                                  slit.txt --cut slit.ply)
+  flip_geodesics_add_program_test(insertion_in_stl 0 "^[^:]*torus.off: [^\n]*\ncurve.*extract [^\n]*\n$" path torus.off
+                                  --edges slit.txt --insert slit_insert.stl)
+  flip_geodesics_add_program_test(repair_in_stl 0 "bow.stl: 1 vertex coincides with another one; readers of STL" repair
+                                  bow.off -o bow.stl)
   # An edge with both ends inside opens at its middle: vertices 288 and 289 are new.
   flip_geodesics_add_program_test(cut_one_edge 0 "1 LOCALLY_SHORTEST" path torus.off --from 0 --to 1 --cut slit.off)
   flip_geodesics_add_program_test(slit_of_one_edge 0 "289 LOCALLY_SHORTEST" log slit.off --source 289)

@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_PROGRAM_MESH_FILE_H
 #define CGAL_FLIP_GEODESICS_PROGRAM_MESH_FILE_H
 
+#include "messages.h"
 #include "output/output_file.h"
 #include "output/viewer_curves.h"
 #include "program_mesh.h"
@@ -13,13 +14,16 @@
 
 #include <boost/property_map/function_property_map.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <iostream>
 #include <limits>
 #include <optional>
 #include <ostream>
 #include <streambuf>
 #include <string>
+#include <vector>
 
 namespace program {
 
@@ -50,6 +54,18 @@ public:
     , m_file(name)
     , m_materials(has_curves && format == "obj" && is_plain_name(name) ? name + ".mtl" : "")
   {
+  }
+
+  /// Returns a line for the user if the format cannot store the mesh as it is, and else an empty one.
+  std::string remark(const Mesh& mesh) const
+  {
+    const std::size_t merged = m_file.is_wanted() && m_format == "stl" ? number_of_coincident_vertices(mesh) : 0;
+    if(merged == 0)
+      return "";
+    return name_of_result(m_file.name()) + ": " +
+           counted(merged, "vertex coincides with another one", "vertices coincide with others") +
+           "; readers of STL, which does not store shared vertices, merge them and thereby close cuts; use an .off, "
+           ".obj or .ply file";
   }
 
   void write(const Mesh& mesh)
@@ -105,6 +121,17 @@ private:
       CGAL::IO::write_STL(out, mesh, digits);
     else
       CGAL::Flip_geodesics::IO::write_VTP(out, mesh, CGAL::parameters::use_binary_mode(false));
+  }
+
+  // The vertices of faces that would be lost if coincident ones were merged.
+  static std::size_t number_of_coincident_vertices(const Mesh& mesh)
+  {
+    std::vector<Point_3> points;
+    for(const Mesh::Vertex_index v : mesh.vertices())
+      if(!mesh.is_isolated(v))
+        points.push_back(mesh.point(v));
+    std::sort(points.begin(), points.end());
+    return static_cast<std::size_t>(points.end() - std::unique(points.begin(), points.end()));
   }
 
   // Text cannot hold that points of curves have no value.

@@ -105,6 +105,16 @@ public:
         file.write_textured(*meshes.flattened);
   }
 
+  /// Returns lines about meshes whose format cannot store them as they are. \param mesh the one that `close()` writes
+  std::vector<std::string> remarks(const Mesh& mesh) const
+  {
+    std::vector<std::string> lines = m_remarks;
+    if(m_command == "repair")
+      for(const Mesh_file& file : m_outputs)
+        add_remark(mesh, file, lines);
+    return lines;
+  }
+
   void write(const Mesh_info& info) { m_json.write(info); }
 
   /// Writes the distances; the curves come as results.
@@ -153,10 +163,18 @@ private:
   }
 
   // What a run that failed does not have leaves the file of an earlier one.
-  static void write(const std::optional<Mesh>& mesh, Mesh_file& file)
+  void write(const std::optional<Mesh>& mesh, Mesh_file& file)
   {
-    if(mesh)
-      file.write(*mesh);
+    if(!mesh)
+      return;
+    file.write(*mesh);
+    add_remark(*mesh, file, m_remarks);
+  }
+
+  static void add_remark(const Mesh& mesh, const Mesh_file& file, std::vector<std::string>& lines)
+  {
+    if(const std::string line = file.remark(mesh); !line.empty())
+      lines.push_back(line);
   }
 
   Output_file m_polylines, m_stats, m_map, m_matrix, m_page, m_live;
@@ -164,6 +182,7 @@ private:
   Mesh_file m_subdivision, m_insertion, m_cut;
   std::list<Mesh_file> m_outputs;
   Json_file m_json;
+  std::vector<std::string> m_remarks;
   std::string m_command;
   std::optional<double> m_tubes;
   Scene m_scene;
