@@ -323,7 +323,7 @@ int run_without_curves(Run run)
   std::string lines, defect;
   std::optional<Mesh_info> info;
   if(command == "info") {
-    info = mesh_info(run.input, run.input.remarks());
+    info = mesh_info(run.input, run.input.is_repaired(), run.input.remarks());
     lines = describe(*info, run.input);
   }
   Result_meshes meshes;

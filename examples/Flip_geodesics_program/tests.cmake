@@ -414,8 +414,8 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(cut_graph_cuts 0 "components  1\n[^\n]*genus 0, 1 border\n" info disk.off)
   set_tests_properties(program_cut_graph_cuts PROPERTIES DEPENDS program_cut_graph)
   flip_geodesics_add_program_test(info 0 "576 triangles, genus 1, 0 borders\ndefects     none" info torus.off)
-  flip_geodesics_add_program_test(info_defects 0 "defects .*\n  repair: 1 polygon triangulated: more than three" info
-                                  pyramid.off)
+  flip_geodesics_add_program_test(info_defects 0 "defects     found in the file; the numbers above describe the mesh after the repair:\n.*  repair: 1 polygon triangulated: more than three"
+                                  info pyramid.off)
   flip_geodesics_add_program_test(info_welded 0 "components  1\n  0: 6 vertices, 4 triangles, genus 0, 1 border" info seam.off --weld 1e-12)
   flip_geodesics_add_program_test(info_near_borders 0 "nearly coincide with others and stay open" info seam.off)
   flip_geodesics_add_program_test(info_short_edges 0 "length 1e-170 to .*\n  3 edges have lengths outside the range from 1e-70 to 1e70" info
@@ -795,6 +795,16 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   --edges slit.txt --insert slit_insert.stl)
   flip_geodesics_add_program_test(repair_in_stl 0 "bow.stl: 1 vertex coincides with another one; readers of STL" repair
                                   bow.off -o bow.stl)
+  flip_geodesics_add_program_test(info_of_cut 0 "genus 1, 1 border\ndefects     found in the file; the numbers above describe the mesh before any repair:\n  repair: 4 points merged"
+                                  info slit.ply)
+  set_tests_properties(program_info_of_cut PROPERTIES DEPENDS program_cut_in_ply)
+  flip_geodesics_add_program_test(info_of_cut_json 0 "\"repaired\":false,\"defects\":.\"repair: 4 points merged" info
+                                  slit.ply --quiet --json -)
+  set_tests_properties(program_info_of_cut_json PROPERTIES DEPENDS program_cut_in_ply)
+  flip_geodesics_add_program_test(repaired_cut_is_closed 0 "genus 1, 0 borders\ndefects     none" info closed_slit.ply)
+  flip_geodesics_add_program_test(repair_of_cut 0 "repair: 4 points merged" repair slit.ply -o closed_slit.ply)
+  set_tests_properties(program_repair_of_cut PROPERTIES DEPENDS program_cut_in_ply)
+  set_tests_properties(program_repaired_cut_is_closed PROPERTIES DEPENDS program_repair_of_cut)
   # An edge with both ends inside opens at its middle: vertices 288 and 289 are new.
   flip_geodesics_add_program_test(cut_one_edge 0 "1 LOCALLY_SHORTEST" path torus.off --from 0 --to 1 --cut slit.off)
   flip_geodesics_add_program_test(slit_of_one_edge 0 "289 LOCALLY_SHORTEST" log slit.off --source 289)

@@ -48,6 +48,7 @@ public:
 
   const Mesh& mesh() const { return m_mesh; }
   operator const Mesh&() const { return m_mesh; }
+  bool is_repaired() const { return m_report.has_value(); }
 
   /*!
    * The vertex that a user names by its number: another one if a repair merged it into that, the first of its parts if

@@ -60,11 +60,12 @@ public:
                 json_members("vertices", c.vertices, "edges", c.edges, "faces", c.faces, "borders", c.borders, "genus",
                              c.genus()) +
                 '}';
-    m_info += "]," +
-              json_members("isolated_vertices", info.isolated_vertices, "degenerate_edges", info.degenerate_edges,
-                           "degenerate_faces", info.degenerate_faces, "area", info.area, "shortest_edge",
-                           info.shortest_edge, "longest_edge", info.longest_edge, "defects", info.defects) +
-              '}';
+    m_info +=
+        "]," +
+        json_members("isolated_vertices", info.isolated_vertices, "degenerate_edges", info.degenerate_edges,
+                     "degenerate_faces", info.degenerate_faces, "area", info.area, "shortest_edge", info.shortest_edge,
+                     "longest_edge", info.longest_edge, "repaired", info.is_repaired, "defects", info.defects) +
+        '}';
   }
 
   void write(const Field_curves& field)

@@ -30,13 +30,14 @@ struct Component_info
 
 struct Mesh_info
 {
+  bool is_repaired = false; ///< is it the mesh after a repair, and not as it is in the file?
   std::vector<Component_info> components;
   std::size_t isolated_vertices = 0, degenerate_edges = 0, degenerate_faces = 0;
   double area = 0, shortest_edge = 0, longest_edge = 0;
   std::vector<std::string> defects; ///< lines about the file and what a repair does
 };
 
-Mesh_info mesh_info(const Mesh& mesh, const std::vector<std::string>& defects);
+Mesh_info mesh_info(const Mesh& mesh, bool is_repaired, const std::vector<std::string>& defects);
 
 /// Lines for people.
 std::string describe(const Mesh_info& info, const Mesh& mesh);

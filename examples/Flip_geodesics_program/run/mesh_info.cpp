@@ -40,11 +40,12 @@ double edge_length(Mesh::Edge_index e, const Mesh& mesh)
 
 } // namespace
 
-Mesh_info mesh_info(const Mesh& mesh, const std::vector<std::string>& defects)
+Mesh_info mesh_info(const Mesh& mesh, bool is_repaired, const std::vector<std::string>& defects)
 {
   namespace PMP = CGAL::Polygon_mesh_processing;
   std::vector<std::size_t> component(mesh.number_of_faces());
   Mesh_info info;
+  info.is_repaired = is_repaired;
   info.defects = defects;
   info.components.resize(PMP::connected_components(
       mesh, boost::make_iterator_property_map(component.begin(), get(boost::face_index, mesh))));
@@ -97,9 +98,9 @@ std::string describe(const Mesh_info& info, const Mesh& mesh)
         << counted(c.borders, "border", "borders") << '\n';
   }
   out << "defects     "
-      << (info.defects.empty()
-              ? "none\n"
-              : "found in the file; if they require a repair, the numbers above describe the repaired mesh:\n");
+      << (info.defects.empty() ? "none\n"
+          : info.is_repaired   ? "found in the file; the numbers above describe the mesh after the repair:\n"
+                               : "found in the file; the numbers above describe the mesh before any repair:\n");
   for(const std::string& line : info.defects)
     out << "  " << line << '\n';
   return out.str();
