@@ -104,12 +104,17 @@ inline std::string readable_time(double seconds)
   return text;
 }
 
-/// Returns the message of an error; of a degenerate edge with other advice than the library's, which names its classes.
+/// Returns the message of an error; of a degenerate edge with other advice than the library's, which names its classes,
+/// and of ends in different components with advice on gaps.
 inline std::string with_advice(const std::exception& error, const std::string& advice)
 {
   namespace FG = CGAL::Flip_geodesics;
   if(dynamic_cast<const std::bad_alloc*>(&error) != nullptr)
     return "there is not enough memory";
+  if(dynamic_cast<const FG::Disconnected_endpoints_error*>(&error) != nullptr)
+    return std::string(error.what()) +
+           "; the command `info` lists the components, and --repair with --weld TOLERANCE joins borders that nearly "
+           "coincide";
   const auto* const degenerate = dynamic_cast<const FG::Degenerate_face_error*>(&error);
   if(degenerate == nullptr || degenerate->remedy() == FG::Degeneracy_remedy::NONE)
     return error.what();

@@ -996,6 +996,19 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(gap 2 "gap.txt line 2.*1 and 5" path torus.off --edges gap.txt)
   flip_geodesics_add_program_test(disconnected 1 "curve 0 .--from, --to.: .*vertices 0 and 3 lie in different" path two_parts.off
                                   --from 0 --to 3)
+  set(advice_on_gaps "the command `info` lists the components, and --repair with --weld TOLERANCE joins borders")
+  foreach(end 3 3,4,0.5)
+    foreach(command path shortest "shortest --ways 2" "path --kernel double")
+      separate_arguments(arguments UNIX_COMMAND "${command}")
+      list(POP_FRONT arguments name)
+      string(MAKE_C_IDENTIFIER "${command} ${end}" id)
+      flip_geodesics_add_program_test(disconnected_${id} 1 "${advice_on_gaps}" ${name} two_parts.off --from 0 --to ${end}
+                                      ${arguments})
+    endforeach()
+  endforeach()
+  flip_geodesics_add_program_test(disconnected_drawn 2 "joined.txt line 2: .*${advice_on_gaps}" cut two_parts.off --draw
+                                  drawn_some_joined.txt --cut x.off)
+  file(WRITE ${program_dir}/drawn_some_joined.txt "0 1\n0 3\n")
   flip_geodesics_add_program_test(disconnected_alone 1
                                   "curve 1 .some_joined.txt line 2.: [^\n]*vertices 0 and 3 [^\n]*\n[^\n]*curve 3 .some_joined.txt line 4.: "
                                   path two_parts.off --pairs some_joined.txt)

@@ -101,7 +101,7 @@ private:
     } catch(const FG::Disconnected_endpoints_error& error) {
       add_failure(pair,
                   m_request.obstacles.are_none()
-                      ? error.what()
+                      ? with_advice_to_repair(error)
                       : "no path connects the two ends: obstacles separate them, or they lie in different components");
     } catch(const FG::Error& error) {
       add_failure(pair, with_advice_to_repair(error));
