@@ -118,7 +118,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   endif()
   # The shortened paths of edges have other lengths.
   flip_geodesics_add_program_test(shortest_pair 0 " 2.77034 .*1 WITHIN_ROUNDING" shortest torus.off --from 0 --to 150)
-  flip_geodesics_add_program_test(shortest_pairs 0 "2 WITHIN_ROUNDING.*certificates: 2 PROVEN" shortest torus.off
+  flip_geodesics_add_program_test(shortest_pairs 0 "2 WITHIN_ROUNDING.*locally shortest: 2 PROVEN" shortest torus.off
                                   --pairs pairs.txt --stats shortest_pairs.csv)
   flip_geodesics_add_program_test(landmarks 0 "4 landmarks, computed in.*30 WITHIN_ROUNDING" shortest torus.off --random 30
                                   --seed 7 --landmarks 4 --polylines landmarks.txt)
@@ -192,7 +192,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
        "50002.03 450002.09 0\n3 0 1 4\n3 0 4 3\n3 1 2 5\n3 1 5 4\n3 3 4 7\n3 3 7 6\n3 4 5 8\n3 4 8 7\n")
   flip_geodesics_add_program_test(distant_curve 0 "1 LOCALLY_SHORTEST" path far_from_origin.off --from 2 --to 6 -o
                                   far_from_origin.polylines.txt)
-  flip_geodesics_add_program_test(certify_distant 0 "certificates: 1 PROVEN" certify far_from_origin.off --draw
+  flip_geodesics_add_program_test(certify_distant 0 "locally shortest: 1 PROVEN" certify far_from_origin.off --draw
                                   far_from_origin.polylines.txt)
   set_tests_properties(program_certify_distant PROPERTIES DEPENDS program_distant_curve)
   file(WRITE ${program_dir}/thin_and_far.off
@@ -202,7 +202,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
        "3 4 5 8\n3 4 8 7\n")
   flip_geodesics_add_program_test(thin_distant_curve 0 "1 LOCALLY_SHORTEST" path thin_and_far.off --from 0,1,0.51 --to
                                   7,8,0.77 -o thin_and_far.polylines.txt)
-  flip_geodesics_add_program_test(certify_thin_distant 0 "certificates: 1 PROVEN" certify thin_and_far.off --draw
+  flip_geodesics_add_program_test(certify_thin_distant 0 "locally shortest: 1 PROVEN" certify thin_and_far.off --draw
                                   thin_and_far.polylines.txt)
   set_tests_properties(program_certify_thin_distant PROPERTIES DEPENDS program_thin_distant_curve)
   foreach(format polylines.txt html json csv)
@@ -266,7 +266,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   log torus.off --source 0,12,0.3 --shortest)
   flip_geodesics_add_program_test(shortest_tree_from_location_of_vertex 0 "shortest 287 paths, confirmed" log torus.off
                                   --source 0,12,0.0 --shortest)
-  flip_geodesics_add_program_test(shortest_between_points 0 "1 WITHIN_ROUNDING\ncertificates: 1 PROVEN" shortest
+  flip_geodesics_add_program_test(shortest_between_points 0 "1 WITHIN_ROUNDING\nlocally shortest: 1 PROVEN" shortest
                                   torus.off --from 0 --to 0.1,0.2,0.3 --cut shortest_cut.off)
   flip_geodesics_add_program_test(shortest_pairs_of_points 0 "4 WITHIN_ROUNDING" shortest torus.off --pairs pairs.csv
                                   --polylines shortest_points.out)
@@ -405,7 +405,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   file(WRITE ${program_dir}/tetrahedron.off
        "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n")
   file(WRITE ${program_dir}/corners.txt "1 0 2 3\n! 0 2\n")
-  flip_geodesics_add_program_test(loops 0 "2 curves: 2 LOCALLY_SHORTEST.*certificates: 2 PROVEN" loops torus.off --mesh
+  flip_geodesics_add_program_test(loops 0 "2 curves: 2 LOCALLY_SHORTEST.*locally shortest: 2 PROVEN" loops torus.off --mesh
                                   loops.vtp --stats loops.csv)
   flip_geodesics_add_program_test(handles 0 "handle loop 0.*tunnel loop 0.*2 LOCALLY_SHORTEST" loops torus.off --handles)
   flip_geodesics_add_program_test(handles_of_disk 2 "does not bound a solid. omit --handles, or close" loops seam.obj --handles)
@@ -427,25 +427,25 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   torus.off --quiet --json -)
   flip_geodesics_add_program_test(certify_written 0 "2 LOCALLY_SHORTEST" path torus.off --pairs pairs.txt --mesh
                                   certified.polylines.txt)
-  flip_geodesics_add_program_test(certify 0 "2 GIVEN\ncertificates: 2 PROVEN" certify torus.off --draw
+  flip_geodesics_add_program_test(certify 0 "2 GIVEN\nlocally shortest: 2 PROVEN" certify torus.off --draw
                                   certified.polylines.txt)
   set_tests_properties(program_certify PROPERTIES DEPENDS program_certify_written)
   flip_geodesics_add_program_test(certify_bent 1 "path.txt line 1.: the curve is not locally shortest: BENT_JOINT at point"
                                   certify torus.off --draw path.txt --stats bent.csv)
   flip_geodesics_add_program_test(certify_gap 1 "gap.txt line 2.: " certify torus.off --draw gap.txt)
   file(WRITE ${program_dir}/twice.polylines.txt "6 1 0 0 1 0 0 0.5 0.5 0 0.5 0.5 0 0.5 0.5 0 0 1 0\n")
-  flip_geodesics_add_program_test(certify_coincident_points 0 "certificates: 1 PROVEN" certify no_seam.obj --draw
+  flip_geodesics_add_program_test(certify_coincident_points 0 "locally shortest: 1 PROVEN" certify no_seam.obj --draw
                                   twice.polylines.txt)
   # Points that differ by rounding errors are projected to one vertex.
   file(WRITE ${program_dir}/nearly_twice.polylines.txt "4 1 0 0 0.5 0.5 0 0 1 0 1e-17 1 0\n")
-  flip_geodesics_add_program_test(certify_nearly_coincident_points 0 "certificates: 1 PROVEN" certify no_seam.obj --draw
+  flip_geodesics_add_program_test(certify_nearly_coincident_points 0 "locally shortest: 1 PROVEN" certify no_seam.obj --draw
                                   nearly_twice.polylines.txt)
   # The loop passes a vertex at a distance of 1e-17.
   add_test(NAME program_small_torus COMMAND generate_torus small_torus.off 6 3 WORKING_DIRECTORY ${program_dir})
   flip_geodesics_add_program_test(certify_loops_written 0 "2 LOCALLY_SHORTEST" loops small_torus.off -o
                                   loops.polylines.txt)
   set_tests_properties(program_certify_loops_written PROPERTIES DEPENDS program_small_torus)
-  flip_geodesics_add_program_test(certify_loops 0 "certificates: 1 PROVEN 1 STRAIGHT_WITHIN_ROUNDING" certify small_torus.off
+  flip_geodesics_add_program_test(certify_loops 0 "locally shortest: 1 PROVEN 1 STRAIGHT_WITHIN_ROUNDING" certify small_torus.off
                                   --draw loops.polylines.txt)
   set_tests_properties(program_certify_loops PROPERTIES DEPENDS program_certify_loops_written)
   # The first segment is bent by 1.6e-12 radians, and the curve turns at its end.
@@ -644,7 +644,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                     "spoilt.csv: with these weights, the sides of the face with vertices [0-9]+, [0-9]+ and" ${name}
                                     torus.off ${arguments} --edge-weights spoilt.csv)
   endforeach()
-  flip_geodesics_add_program_test(mollified_weights 0 "added to the length of every edge.*certificates: 1 PROVEN" path
+  flip_geodesics_add_program_test(mollified_weights 0 "added to the length of every edge.*locally shortest: 1 PROVEN" path
                                   torus.off --from 0 --to 150 --edge-weights spoilt.csv --mollify 1e-5)
   flip_geodesics_add_program_test(mollified_distances 0 "0 curves" distance torus.off --source 0 --map mollified.csv
                                   --edge-weights spoilt.csv --mollify 1e-5)
@@ -971,7 +971,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(two_sets_of_curves 2 "--pairs and --random cannot be combined. use one of them" path
                                   torus.off --random 2 --pairs pairs.txt)
   flip_geodesics_add_program_test(from_without_to 2 "--from requires --to" path torus.off --from 3)
-  flip_geodesics_add_program_test(certified 0 "5 LOCALLY_SHORTEST.*certificates: 5 PROVEN" path torus.off --random 5)
+  flip_geodesics_add_program_test(certified 0 "5 LOCALLY_SHORTEST.*locally shortest: 5 PROVEN" path torus.off --random 5)
   flip_geodesics_add_program_test(double 0 "5 LOCALLY_SHORTEST\nlength" path torus.off --random 5 --kernel double)
   flip_geodesics_add_program_test(kernel_of_isolines 2 "--kernel is not an option of distance" distance torus.off
                                   --source 0 --isolines 0.3 --kernel certified)

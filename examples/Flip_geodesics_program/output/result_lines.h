@@ -123,14 +123,14 @@ public:
     if(m_number_of_curves > 0 && m_number_of_curves <= most_lines) {
       out << (m_are_pulled_tight
                   ? "curve    source    target  segments       initial        length     flips  status   "
-                    "            ms  certificate  name\n"
+                    "            ms  locally shortest  name\n"
                   : "curve   segments        length  status            name\n");
       for(const std::string& line : m_lines)
         out << line;
     }
     print_counts(out << counted(m_number_of_curves, "curve", "curves") << (m_counts.empty() ? "" : ":"), m_counts);
     if(!m_verdicts.empty())
-      print_counts(out << "certificates:", m_verdicts);
+      print_counts(out << "locally shortest:", m_verdicts);
     if(m_number_on_contracted > 0)
       out << counted(m_number_on_contracted, "curve was", "curves were")
           << " computed after degenerate edges had been contracted\n";
@@ -164,7 +164,7 @@ private:
     if(!r.is_pulled_tight)
       return format("%5zu %10zu %13.6g  %-16s  ", curve, r.initial_segments, r.length, r.status.c_str()) + r.name +
              '\n';
-    return format("%5zu %9s %9s %9zu %13.6g %13.6g %9zu  %-16s %8.3f  %-11s  ", curve, vertex(r.source).c_str(),
+    return format("%5zu %9s %9s %9zu %13.6g %13.6g %9zu  %-16s %8.3f  %-16s  ", curve, vertex(r.source).c_str(),
                   vertex(r.target).c_str(), r.initial_segments, r.initial_length, r.length, r.flips, r.status.c_str(),
                   1e3 * (r.search_s + r.shorten_s + r.extract_s), r.certificate.c_str()) +
            r.name + '\n';

@@ -20,7 +20,7 @@ const statuses = {
   ERROR: 'could not be computed',
 };
 const verdicts = {
-  PROVEN: 'proven by exact arithmetic',
+  PROVEN: 'proven to be a geodesic by exact arithmetic',
   PROBABLE: 'no bend found, but the proof would take too long',
   BENT_SEGMENT: 'not straight within a face strip',
   BENT_JOINT: 'not straight at a joint',
