@@ -397,8 +397,8 @@ private:
 };
 
 /*
- * Records for the elements of a sequence, only few of which are written. Written records are contiguous, in the order of
- * their first writing, and do not move. All others share one record with its initial value.
+ * Records for the elements of a sequence, only few of which are written. Written records are contiguous, in the order
+ * of their first writing, and do not move. All others share one record with its initial value.
  */
 template <class Key, class Record>
 class Written_records

@@ -413,9 +413,9 @@ private:
 };
 
 /*
- * The work of a thread in a round, with its own data. First `leave()` propagates everything from vertices and edges over
- * the next faces; when all items have been left, and the vertices have been updated, `enter()` puts the results on the
- * edges that they reach. Threads do both simultaneously, with different items.
+ * The work of a thread in a round, with its own data. First `leave()` propagates everything from vertices and edges
+ * over the next faces; when all items have been left, and the vertices have been updated, `enter()` puts the results on
+ * the edges that they reach. Threads do both simultaneously, with different items.
  *
  * An edge is entered by the thread that has the first of the items from which something arrives; that thread looks up
  * the others itself. Each edge is thus entered once, by one thread, from the items in the order of their numbers,

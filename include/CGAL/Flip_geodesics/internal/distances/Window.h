@@ -440,8 +440,8 @@ public:
     return m_sides[h];
   }
 
-  /* Computes the sides of a face unless they are known. Returns whether this has made known a face so flat that rays can
-   * be lost in it. */
+  /* Computes the sides of a face unless they are known. Returns whether this has made known a face so flat that rays
+   * can be lost in it. */
   bool make_known(Input_halfedge_index h)
   {
     if(load_acquire(m_is_known[h]) != 0)

@@ -88,9 +88,9 @@ inline Double_double sqrt(const Double_double& a)
 }
 
 /*
- * Complex numbers. With this type, the error of each operation, as a vector, is at most `double_double_vector_error`, that
- * is 64 u^2, of |v| + |w| for a sum and of |v| |w| for a product: there each coordinate takes two products and a sum of
- * them, in all 33 u^2 (|v.x w.x| + |v.y w.y|) or the like, which is at most 33 u^2 |v| |w| by the Cauchy-Schwarz
+ * Complex numbers. With this type, the error of each operation, as a vector, is at most `double_double_vector_error`,
+ * that is 64 u^2, of |v| + |w| for a sum and of |v| |w| for a product: there each coordinate takes two products and a
+ * sum of them, in all 33 u^2 (|v.x w.x| + |v.y w.y|) or the like, which is at most 33 u^2 |v| |w| by the Cauchy-Schwarz
  * inequality.
  */
 template <class Number>

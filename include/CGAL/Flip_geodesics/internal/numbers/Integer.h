@@ -88,8 +88,8 @@ inline std::array<Integer, 3> integer_weights(const std::array<double, 3>& weigh
   return result;
 }
 
-/* Returns the face with these squared lengths. They are doubled, so that half sums are integers: |hp|^2 = |h + hn|^2 and
- * |hn|^2 = |h + hp|^2. */
+/* Returns the face with these squared lengths. They are doubled, so that half sums are integers: |hp|^2 = |h + hn|^2
+ * and |hn|^2 = |h + hp|^2. */
 inline Exact_face exact_face_from_squares(const std::array<Integer, 3>& squares)
 {
   const Integer a = 2 * squares[0], b = 2 * squares[1], c = 2 * squares[2];

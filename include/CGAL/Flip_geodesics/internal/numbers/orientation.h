@@ -79,8 +79,9 @@ private:
     return true;
   }
 
-  // Returns whether all coordinates are multiples of one unit, by factors of at most 2^15. No operation is then rounded:
-  // neither differences nor, with six products below 2^48, the determinant. Adding a large number rounds to such a unit.
+  // Returns whether all coordinates are multiples of one unit, by factors of at most 2^15. No operation is then
+  // rounded: neither differences nor, with six products below 2^48, the determinant. Adding a large number rounds to
+  // such a unit.
   static bool are_short(const Places& places)
   {
     double largest = 0;
@@ -159,8 +160,8 @@ inline Sign orientation(const Rational_place& p, const Rational_place& q, const 
   return Orientation_of_places::of_integers(to_integers(std::array<Rational_place, 4>{p, q, r, s}));
 }
 
-/* Returns the vector from p to q up to a positive factor, exactly: each coordinate is a double and its rounding error, or
- * an integer. */
+/* Returns the vector from p to q up to a positive factor, exactly: each coordinate is a double and its rounding error,
+ * or an integer. */
 inline std::array<Double_double, 3> exact_difference(const Place_in_space& p, const Place_in_space& q)
 {
   return precise_difference(p, q);
@@ -207,8 +208,8 @@ Sign sign_of_integer_products(const std::array<std::array<Double_double, 2>, N>&
   return static_cast<Sign>(sum.sign());
 }
 
-/* Returns the exact sign of a sum of products of two. In double, both factors and each product are rounded, and then the
- * sum; a product that underflows errs by less than the smallest normal number. */
+/* Returns the exact sign of a sum of products of two. In double, both factors and each product are rounded, and then
+ * the sum; a product that underflows errs by less than the smallest normal number. */
 template <std::size_t N>
 Sign sign_of_products(const std::array<std::array<Double_double, 2>, N>& factors)
 {

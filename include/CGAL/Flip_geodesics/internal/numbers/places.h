@@ -70,9 +70,9 @@ inline Rational_place rational_place(const Rational& x, const Rational& y, const
 }
 
 /*
- * The squared lengths of the sides of a face as rational numbers with a common denominator. The lengths, the dot product
- * of each side with the next one and twice the area are computed from them in double-double arithmetic; each is exact
- * except for the rounding of a quotient and of a root.
+ * The squared lengths of the sides of a face as rational numbers with a common denominator. The lengths, the dot
+ * product of each side with the next one and twice the area are computed from them in double-double arithmetic; each is
+ * exact except for the rounding of a quotient and of a root.
  */
 struct Squared_lengths
 {

@@ -19,8 +19,8 @@
 #include <memory>
 #include <mutex>
 
-// The positions of the vertices of an `Embedded_metric`: approximate ones with error bounds, and precise ones, which are
-// stored.
+// The positions of the vertices of an `Embedded_metric`: approximate ones with error bounds, and precise ones, which
+// are stored.
 
 namespace CGAL::Flip_geodesics::internal {
 

@@ -148,7 +148,8 @@ template <class T>
 constexpr bool is_number = std::numeric_limits<T>::is_specialized ||
                            std::is_convertible<decltype(CGAL::to_double(std::declval<const T&>())), double>::value;
 
-/* Fails to compile if the type is not a property map with numbers for keys of this type, by default for its own ones. */
+/* Fails to compile if the type is not a property map with numbers for keys of this type, by default for its own ones.
+ * */
 template <class Map, class Key = typename Map_traits<Map>::key_type>
 constexpr bool is_number_map()
 {

@@ -23,8 +23,8 @@
 namespace CGAL::Flip_geodesics::internal {
 
 /*
- * A line over a developable region with parallel rulings: faces that bend along parallel edges only, such as those of an
- * extrusion or a prism. They are unrolled into a plane with the direction of the rulings as one axis. There the line
+ * A line over a developable region with parallel rulings: faces that bend along parallel edges only, such as those of
+ * an extrusion or a prism. They are unrolled into a plane with the direction of the rulings as one axis. There the line
  * leads up by the difference of two places along that direction, which is a rational number, and sideways by the
  * distances between the rulings, which is a sum of roots.
  */
@@ -77,8 +77,8 @@ Uncertain<Sign> sine_of_unrolled_lines(const std::array<Place, 2>& ruling, const
 }
 
 /*
- * Computes the sign of the sine of a wedge by exact predicates of points, if its input faces lie unfolded in one plane of
- * space, or bend along parallel edges only, so they can be unrolled into a plane. Most exact ties are of these
+ * Computes the sign of the sine of a wedge by exact predicates of points, if its input faces lie unfolded in one plane
+ * of space, or bend along parallel edges only, so they can be unrolled into a plane. Most exact ties are of these
  * kinds: they occur in the plane parts and the extruded parts of technical models.
  *
  * PlaceOf maps an input vertex to three double coordinates or to a `Rational_place`. Edge sequences with an end at an

@@ -140,8 +140,8 @@ public:
   /* An empty forest. */
   Edge_forest() = default;
 
-  /* Grows a tree from each base point. Each other component has its root at the first vertex with a property, or else at
-   * its first vertex. \throws Interrupted */
+  /* Grows a tree from each base point. Each other component has its root at the first vertex with a property, or else
+   * at its first vertex. \throws Interrupted */
   template <class Input_mesh, class VertexRange, class Weight, class IsJoined, class IsPreferred>
   Edge_forest(const Input_mesh& input, const VertexRange& base_points, const Weight& weight, const IsJoined& is_joined,
               const IsPreferred& is_preferred, Interruption* interruption)

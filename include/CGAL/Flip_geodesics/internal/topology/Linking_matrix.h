@@ -127,8 +127,8 @@ private:
   static double largest(const Coordinates& v) { return (std::max)({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])}); }
 
   // A bound on the error of a determinant: six products, of entries with errors of twice the rounding. Entries are in
-  // fact off by at most 11 rounding errors of the size, instead of 16, and those of two of the vectors are at most twice
-  // the size. The difference therefore exceeds the five rounding errors of each product.
+  // fact off by at most 11 rounding errors of the size, instead of 16, and those of two of the vectors are at most
+  // twice the size. The difference therefore exceeds the five rounding errors of each product.
   double error(const Coordinates& u, const Coordinates& v, const Coordinates& w) const
   {
     const double a = largest(u), b = largest(v), c = largest(w), off = 2.1 * rounding();

@@ -97,8 +97,8 @@ private:
     return result;
   }
 
-  // Euclid's algorithm for the vectors from `first` on, by their i-th entries: all of these become zero but one, that of
-  // the returned vector. Returns the number of vectors if all are zero.
+  // Euclid's algorithm for the vectors from `first` on, by their i-th entries: all of these become zero but one, that
+  // of the returned vector. Returns the number of vectors if all are zero.
   static std::size_t reduce(std::vector<Numbers>& vectors, std::size_t first, std::size_t i)
   {
     const auto is_smaller = [i](const Numbers& a, const Numbers& b) {

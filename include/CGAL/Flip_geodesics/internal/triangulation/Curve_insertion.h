@@ -968,7 +968,8 @@ private:
     return {f, snapped_weights(weights, snap, refuse)};
   }
 
-  // Returns the nearest point of the surface: in the faces around the previous point if one contains it, or in any face.
+  // Returns the nearest point of the surface: in the faces around the previous point if one contains it, or in any
+  // face.
   Place place_in_space(const Place_in_space& p)
   {
     if(!are_finite(p))

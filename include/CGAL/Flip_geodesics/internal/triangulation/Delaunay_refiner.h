@@ -722,9 +722,9 @@ public:
   }
 
   /*
-   * Returns the badness of a face; 0 if it is good or exempt. A face is exempt from the bound on angles if its smallest angle
-   * lies between constrained edges that meet at less than 60 degrees or around a vertex with a smaller total angle, or
-   * if its shortest side spans such an angle between points at nearly equal distances from the vertex [S02].
+   * Returns the badness of a face; 0 if it is good or exempt. A face is exempt from the bound on angles if its smallest
+   * angle lies between constrained edges that meet at less than 60 degrees or around a vertex with a smaller total
+   * angle, or if its shortest side spans such an angle between points at nearly equal distances from the vertex [S02].
    */
   double badness(Halfedge_index h)
   {

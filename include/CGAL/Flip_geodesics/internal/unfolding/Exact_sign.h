@@ -146,7 +146,8 @@ inline Unfolding_chain chain_in_face(const Exact_face& face, const std::array<In
   return result;
 }
 
-/* Returns the step across crossed edge i to the ends of the next one; behind the last one, the apex is the right end. */
+/* Returns the step across crossed edge i to the ends of the next one; behind the last one, the apex is the right end.
+ * */
 template <class Input_mesh, class Exact_faces>
 Unfolding_step step_across(const Input_mesh& input, const Exact_faces& faces,
                            const std::vector<Input_halfedge_index>& crossed, std::size_t i)

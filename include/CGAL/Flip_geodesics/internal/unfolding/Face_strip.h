@@ -119,7 +119,8 @@ public:
   using Sides = typename Layout::Sides;
   using Corners = std::array<Corner, 3>;
 
-  /* Starts in the face of h, whose corners are the tails of h, next(h) and previous(h). `leave_over()` sets the portal. */
+  /* Starts in the face of h, whose corners are the tails of h, next(h) and previous(h). `leave_over()` sets the portal.
+   * */
   Face_strip(const Layout& layout, Input_halfedge_index h, const Sides& sides, const Corners& corners)
     : m_layout(layout)
     , m_halfedge(h)

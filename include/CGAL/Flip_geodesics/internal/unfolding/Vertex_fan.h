@@ -33,8 +33,8 @@ Input_halfedge_index clockwise_of(const Input_mesh& input, Input_halfedge_index 
   return input.next(twin_index(h));
 }
 
-/* Calls visit(h) for the outgoing halfedges of a vertex, clockwise, and across the border from one umbrella to the next;
- * not at all if the vertex is isolated. */
+/* Calls visit(h) for the outgoing halfedges of a vertex, clockwise, and across the border from one umbrella to the
+ * next; not at all if the vertex is isolated. */
 template <class Input_mesh, class Visit>
 void for_each_outgoing_halfedge(const Input_mesh& input, Vertex_index v, const Visit& visit)
 {
