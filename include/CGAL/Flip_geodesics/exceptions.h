@@ -39,9 +39,9 @@ const char* name_of(Enumeration value, const char* const (&names)[N])
  *
  * Is the base class of all exceptions that this package defines.
  *
- * An error stores the indices of the offending elements, in the order in which the message names them. The index of an
- * element of a mesh is its position, for example in `vertices(mesh)`, and the index of a point of a curve is its
- * position in the curve.
+ * An error stores numbers that identify its cause, usually the indices of the offending elements; each class of errors
+ * states which. The index of an element of a mesh is its position in a range such as `vertices(mesh)`, and the index of
+ * a point of a curve is its position in the curve.
  */
 class Error : public std::runtime_error
 {

@@ -231,7 +231,7 @@ public:
     Answer result;
     for(std::size_t i = 0; i < m_distances.size(); ++i) {
       const double distance = interpolated(m_distances[i], face, weights);
-      if(!(result.distance <= distance)) // NaN is passed on
+      if(distance < result.distance || std::isnan(distance)) // NaN is passed on
         result = {distance, i};
     }
     return result;

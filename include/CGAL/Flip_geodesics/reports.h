@@ -153,9 +153,9 @@ struct Curve_report
   /// The smallest angle, in radians, at an unblocked side of a joint; infinite if no such side exists.
   double smallest_angle = std::numeric_limits<double>::infinity();
   std::size_t flips = 0; ///< the number of edge flips for this curve, including those of steps that were rolled back
-  /// The verdict on the claim that the curve is locally shortest. It is `UNDECIDED` if `Has_drift` of the traits is
-  /// `CGAL::Tag_true`; call `certify()` to obtain a verdict. It is also `UNDECIDED` if coordinates or lengths of the
-  /// mesh had to be rounded.
+  /// The verdict on the claim that the curve is locally shortest. It is `UNDECIDED` if coordinates or lengths of the
+  /// mesh had to be rounded. It is also `UNDECIDED` if `Has_drift` of the traits is `CGAL::Tag_true`, unless the given
+  /// ends of the curve coincide; call `certify()` to obtain a verdict in this case.
   Verdict verdict = Verdict::UNDECIDED;
   /// Whether degenerate edges and folded faces were contracted; see \ref Flip_geodesicsDegenerate. Only the free
   /// functions set this member.

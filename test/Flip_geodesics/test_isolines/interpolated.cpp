@@ -54,8 +54,13 @@ BOOST_AUTO_TEST_CASE(interpolated_infinities_and_ties)
   BOOST_TEST(field(f, between_a_and_c).distance == 1.5);
   BOOST_TEST(alone(f, at_b).distance == infinity);
   BOOST_TEST(alone(f, between_a_and_c).distance == 2);
-  const FG::Interpolated_distances<Mesh, Pmap> damaged(mesh, {Pmap(broken)});
-  BOOST_CHECK_THROW(isolines(mesh, damaged, std::vector<double>{1}, 0.1), FG::Invalid_parameter_error);
+  for(const std::vector<Pmap>& maps :
+      {std::vector<Pmap>{Pmap(broken)}, {Pmap(broken), Pmap(second)}, {Pmap(second), Pmap(broken)}})
+  {
+    const FG::Interpolated_distances<Mesh, Pmap> damaged(mesh, maps);
+    BOOST_TEST(std::isnan(damaged(f, at_a).distance));
+    BOOST_CHECK_THROW(isolines(mesh, damaged, std::vector<double>{1}, 0.1), FG::Invalid_parameter_error);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(any_mesh_with_points_of_its_own)
