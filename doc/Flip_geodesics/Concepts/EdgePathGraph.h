@@ -75,7 +75,7 @@ public:
   /// The arc is empty if and only if `is_turning_back(joint)` is `true`. In this case, a curve that consists of only
   /// these two segments contracts to a point.
   ///
-  /// The function appends to `affected` both sides of each new joint. A joint is new if it contains a new segment, or
+  /// The function appends to `affected` both sides of each new joint, except as stated below. A joint is new if it contains a new segment, or
   /// if its two segments have become consecutive because the arc is empty. The function also appends each side of a
   /// joint whose wedge has become free because the ends inside the wedge were removed. A model may append further
   /// sides, since `shorten()` ignores wedges that are not free.

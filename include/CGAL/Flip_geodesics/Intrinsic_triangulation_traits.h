@@ -82,8 +82,9 @@ public:
  * stored, in a frame of the face of the halfedge. A flip takes one complex division and no square root.
  *
  * Predicates have the tolerance `angle_tolerance()`: an angle that is less than \f$\pi\f$ by at most this tolerance
- * counts as straight. This applies to angles at joints and to angles at the ends of edges that might be flipped. Since
- * the errors of vectors grow with the number of flips, `shorten()` measures the finished curves on the input.
+ * counts as straight. This applies to angles at joints, to angles at the ends of edges that might be flipped, and to
+ * the sums of two opposite angles in the predicate of locally Delaunay edges. Since the errors of vectors grow with the
+ * number of flips, `shorten()` measures the finished curves on the input.
  *
  * Edge lengths must lie between 1e-70 and 1e70.
  *

@@ -144,8 +144,8 @@ public:
 
   /*!
    * Calls `refine()` repeatedly, at most `most_rounds` times. The function returns after the first call that changes
-   * the total length of the control polygons of the pieces by at most `tolerance` times this length. The change in each
-   * round is about a quarter of the change in the previous round, so all further rounds would change the length by
+   * the total length of the control polygons of the pieces by at most `tolerance` times the new length. The change in
+   * each round is about a quarter of the change in the previous round, so all further rounds would change the length by
    * about a third of the last change.
    * \return the number of rounds
    * \throws Insertion_error as `refine()` does

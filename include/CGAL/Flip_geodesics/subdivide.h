@@ -210,8 +210,7 @@ public:
       put(out, f, get(in, intrinsic_face(f)));
   }
 
-  /// Assigns to each face of the input mesh the area-weighted average of the values of the faces of the subdivision
-  /// that it contains.
+  /// Assigns to each face of the input mesh the area-weighted average of the values of the subdivision faces inside it.
   template <class FaceMap, class InputMap>
   void average_to_input(FaceMap in, InputMap out) const
   {
@@ -222,8 +221,7 @@ public:
         });
   }
 
-  /// Assigns to each intrinsic face the area-weighted average of the values of the faces of the subdivision that it
-  /// contains.
+  /// Assigns to each intrinsic face the area-weighted average of the values of the subdivision faces inside it.
   /// \pre the subdivision was constructed by `common_subdivision()`
   template <class FaceMap, class IntrinsicMap>
   void average_to_intrinsic(FaceMap in, IntrinsicMap out) const
