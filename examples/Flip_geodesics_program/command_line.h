@@ -128,8 +128,8 @@ private:
 
   static constexpr const char* m_points =
       "A POINT is `v`, a vertex; `a,b,t`, the point (1-t) a + t b of an edge; `a,b,c,t,u`, the point "
-      "(1-t-u) a + t b + u c of a face; or `x,y,z`, the point of the mesh nearest to this point in space (x or y must "
-      "have a decimal point or an exponent)";
+      "(1-t-u) a + t b + u c of a face (v, a, b and c are vertices, whole numbers counted from 0); or `x,y,z`, the "
+      "point of the mesh nearest to this point in space (x or y must have a decimal point or an exponent)";
   static constexpr Range positive = {0, std::numeric_limits<double>::infinity(), true};
   static constexpr Range not_negative = {0};
 
@@ -359,7 +359,7 @@ private:
   {
     add("--avoid", "FILE", m_options.obstacles,
         "read one obstacle per line: the vertices of a barrier along edges, or faces `f n n ...`; given points must "
-        "not lie on a barrier");
+        "not lie inside an obstacle or on a barrier");
   }
 
   void add_memory_limit()
@@ -388,8 +388,14 @@ private:
 
   void add_threads()
   {
-    if(has_threads)
-      add("--threads", "NUMBER", m_options.threads, {1, 1024}, "compute this many curves at the same time [1]");
+    if(!has_threads)
+      return;
+    const std::string of_ways =
+        m_command->get_name() == "shortest" ? "; without effect if --ways or --avoid is given" : "";
+    add("--threads", "NUMBER", m_options.threads, {1, 1024},
+        ("compute this many curves at the same time [1]" + of_ways).c_str());
+    CLI::Option* const limit = m_command->get_option("--memory-limit");
+    limit->description(limit->get_description() + "; divided equally among the threads");
   }
 
   void add_stop_length()
@@ -416,8 +422,8 @@ private:
     add("--page", "FILE", m_options.results.page,
         "write an HTML page that shows the surface, the curves and the flips, if any");
     add("--polylines", "FILE", m_options.results.polylines,
-        "write one line per point, not in the format .polylines.txt: `curve a b t x y z` for a point of an edge, or "
-        "`curve a b c t u x y z` for a point of a face");
+        "write one line per point, not in the format .polylines.txt: `curve a b t x y z` for a vertex or a crossed "
+        "edge, or `curve a b c t u x y z` for another point of a face");
     add("--stats", "FILE", m_options.results.stats, "write lengths, statuses and times of the curves as CSV");
     add("--insert", "FILE", m_options.meshes.insertion,
         "write the mesh with the curves as edges (.off, .obj, .ply, .stl, .vtp)");

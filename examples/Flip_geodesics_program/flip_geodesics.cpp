@@ -185,8 +185,10 @@ int run_engine(Run& run, const Metric& metric)
   }
   const std::vector<Network_request> requests = requests_of(run);
   if(requests.size() != 1 && options.meshes.is_any_wanted())
-    throw Bad_input("--insert, --cut and the command `refine` require a single curve, or one network of curves; omit "
-                    "the other curves, or specify a network");
+    throw Bad_input("--insert, --cut and the command `refine` require a single curve, or one network of curves, "
+                    "instead of " +
+                    counted(requests.size(), "curve", "curves") +
+                    "; compute one curve at a time, or all curves as a network");
   std::size_t number_of_curves = 0;
   for(const Network_request& request : requests)
     number_of_curves += request.curves.size();

@@ -255,7 +255,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(ambiguous_point_of_no_edge 2 "--trace: '500,0,1' is ambiguous. write 500.0,0.0,1 for" trace
                                   torus.off --trace 500,0,1,0.5,2)
   set(in_space "or write x.0,y.0,z for a point in space")
-  flip_geodesics_add_program_test(whole_coordinates 2 "--from: '20,8,10' is outside its edge or face.* at most 1, ${in_space}"
+  flip_geodesics_add_program_test(whole_coordinates 2 "--from: '20,8,10' is outside its edge. t must be .* at most 1, ${in_space}"
                                   path torus.off --from 20,8,10 --to 150)
   flip_geodesics_add_program_test(coordinates_beyond_vertices 2
                                   "--from: vertex 500 does not exist. use 0 to 287, ${in_space}" path torus.off --from
@@ -289,6 +289,12 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   distances.ply)
   flip_geodesics_add_program_test(distance_map_of_ply 0 "288 vertices" info distances.ply)
   set_tests_properties(program_distance_map_of_ply PROPERTIES DEPENDS program_distance_map)
+  file(WRITE ${program_dir}/no_sources.txt "# no vertices\n")
+  flip_geodesics_add_program_test(no_sources 2 "no_sources.txt: the file contains no points" distance torus.off
+                                  --sources no_sources.txt --map -)
+  file(WRITE ${program_dir}/repeated_point.txt "5 5 5\n")
+  flip_geodesics_add_program_test(repeated_point 2 "line 1: a curve .* consecutive points that coincide count as one" path
+                                  torus.off --draw repeated_point.txt)
   add_test(NAME program_distance_matrix COMMAND ${CMAKE_COMMAND} -E cat matrix.csv WORKING_DIRECTORY ${program_dir})
   set_tests_properties(program_distance_matrix PROPERTIES DEPENDS program_distance_map PASS_REGULAR_EXPRESSION
                        "^0,[^,]*,[^,]*\n[^,]*,0,[^,]*\n[^,]*,[^,]*,0\n$")
@@ -840,7 +846,8 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   set_tests_properties(program_earlier_results PROPERTIES DEPENDS program_failure_after_output)
   flip_geodesics_add_program_test(one_file_for_two 2 "twice.csv: two" path torus.off --random 2 --stats twice.csv
                                   --polylines twice.csv)
-  flip_geodesics_add_program_test(cut_of_many 2 "require a single.*curve, or one network" path torus.off --random 3 --cut cut.off)
+  flip_geodesics_add_program_test(cut_of_many 2 "require a single curve, or one network of curves, instead of 3 curves" path
+                                  torus.off --random 3 --cut cut.off)
   flip_geodesics_add_program_test(quiet_with_value 2 "--quiet does not take a value; see" info torus.off --quiet=7)
   flip_geodesics_add_program_test(quiet 0 "^$" path torus.off --from 0 --to 150 --quiet)
   flip_geodesics_add_program_test(help 0 "path .*loop .*view .*Examples:.*flip_geodesics distance" --help)

@@ -63,8 +63,10 @@ inline Soup read_soup(const Input_text& input)
   const auto format = mesh_formats().find(input.format());
   if(format != mesh_formats().end())
     return format->second(input);
-  throw Bad_input(input.name() + ": the extension does not determine the format; use --format with one of " +
-                  names_of_mesh_formats());
+  throw Bad_input(input.name() +
+                  (input.file() == standard_stream ? ": the format is not specified"
+                                                   : ": the extension does not determine the format") +
+                  "; use --format with one of " + names_of_mesh_formats());
 }
 
 // What has to hold of a soup of polygons so that it is a mesh of triangles, except that it is an oriented manifold.

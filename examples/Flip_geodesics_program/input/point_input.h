@@ -223,7 +223,8 @@ private:
     const double t = n[is_on_edge ? 2 : 3], u = is_on_edge ? 0 : n[4];
     if(!(t >= 0 && u >= 0 && t + u <= 1))
       throw Bad_input(name + ": '" + printable(word) +
-                      "' is outside its edge or face; t and u must be at least 0, and their sum at most 1" +
+                      (is_on_edge ? "' is outside its edge; t must be at least 0 and at most 1"
+                                  : "' is outside its face; t and u must be at least 0, and their sum at most 1") +
                       alternative);
     if(is_on_edge && are_whole(word))
       throw_ambiguous(pieces, word, name, t);
@@ -331,8 +332,9 @@ std::vector<Curve_request> read_lines(const Input_text& input, const Read& read)
     curve.name = words.place();
     read(words, curve);
     if(curve.points.size() < (curve.is_closed ? 3u : 2u))
-      words.fail(
-          "a curve requires at least two points, and a closed curve at least three; add points or remove the line");
+      words.fail(std::string("a curve requires at least two points, and a closed curve at least three") +
+                 (curve.is_drawn ? ", where consecutive points that coincide count as one" : "") +
+                 "; add points or remove the line");
     curves.push_back(curve);
   });
   check_not_empty(curves, input);

@@ -87,7 +87,7 @@ inline std::vector<Named_point> read_sources(const Options& options, const Input
       sources.push_back(read_named_point(read_point, std::string(word), words.place()));
   });
   if(sources.empty())
-    throw Bad_input("--sources: the file contains no points; write one per line");
+    throw Bad_input(name_of_input(options.sources_file) + ": the file contains no points; write one per line");
   return sources;
 }
 

@@ -175,7 +175,7 @@ private:
   {
     const long long size = read_number<long long>(element);
     if(size < 0)
-      scanner().fail(element, "has a negative number of vertices; correct it");
+      scanner().fail(element, "has a negative number of vertices or color components; correct it");
     return static_cast<std::size_t>(size);
   }
 
@@ -184,8 +184,8 @@ private:
   {
     double number = 0;
     for(std::string_view word; !(word = m_words.next_word()).empty();)
-      if(parse_number(word, number) != nullptr && std::isfinite(number))
-        m_words.fail(element, "is followed by '" + printable(word) + "', which is not a number; correct it");
+      if(const char* const error = parse_number(word, number); error != nullptr && std::isfinite(number))
+        m_words.fail(element, "is followed by '" + printable(word) + "', which " + error + "; correct it");
   }
 
   void read_vertex(Soup& soup)

@@ -137,7 +137,7 @@ public:
     if(m_length > 0 && m_length == m_initial_length && !m_is_tree)
       out << format("length   %.6g\n", m_length);
     else if(m_length > 0 && !m_is_tree)
-      out << format("length   %.6g of %.6g along edges (%.2f %%)\n", m_length, m_initial_length,
+      out << format("length   %.6g of %.6g before shortening (%.2f %%)\n", m_length, m_initial_length,
                     100 * m_length / m_initial_length);
     if(!m_is_tree)
       print_sums(out, "flips   ", m_flips, readable);

@@ -104,7 +104,7 @@ private:
   [[noreturn]] static void end_run(int signal)
   {
     Run_files::instance().remove_all_for_good();
-    print("interrupted; incomplete results were not written, and temporary files were removed");
+    print("interrupted; unfinished files were removed");
     std::_Exit(128 + signal);
   }
 

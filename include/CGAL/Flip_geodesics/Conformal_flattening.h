@@ -529,7 +529,7 @@ private:
       const double t = origin.intrinsic_halfedge == h ? origin.intrinsic_t : 1 - origin.intrinsic_t;
       return {(1 - t) * a[0] + t * b[0], (1 - t) * a[1] + t * b[1]};
     }
-    CGAL_error_msg("the subdivision belongs to another triangulation");
+    CGAL_error_msg("the subdivision does not belong to the triangulation in the state that was flattened");
   }
 
   const Triangulation* m_triangulation;

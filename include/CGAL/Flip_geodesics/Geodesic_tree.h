@@ -167,7 +167,8 @@ public:
     const double most = parameters::choose_parameter(parameters::get_parameter(options, internal::distance_parameter),
                                                      std::numeric_limits<double>::infinity());
     if(!(most >= 0))
-      throw Invalid_parameter_error("max_distance is " + internal::written(most) + ", but must not be negative");
+      throw Invalid_parameter_error("max_distance is " + internal::written(most) +
+                                    ", but must be a number that is not negative");
     start(vertex_at(source), most);
     auto visitor = internal::make_visitor(options);
     return run_to_the_end(visitor.get());

@@ -187,7 +187,7 @@ private:
     text.precision(2);
     const bool is_one = m_record.near_border_edges == 1;
     text << m_record.near_border_edges << " border edge" << (is_one ? " nearly coincides" : "s nearly coincide")
-         << " with others and stay" << (is_one ? "s" : "") << " open: a weld tolerance above "
+         << " with others and stay" << (is_one ? "s" : "") << " open: a weld tolerance above about "
          << m_record.near_border_distance << " stitches " << (is_one ? "it" : "them");
     return text.str();
   }

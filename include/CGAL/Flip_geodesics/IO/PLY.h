@@ -28,8 +28,10 @@ public:
   {
     constexpr std::size_t most = (std::numeric_limits<std::int32_t>::max)();
     if(figure.number_of_points() > most || figure.shapes().size() > most)
-      throw File_write_error("a PLY file can number at most " + std::to_string(most) + " points, but " +
-                             std::to_string(figure.number_of_points()) + " were given");
+      throw File_write_error("a PLY file can number at most " + std::to_string(most) +
+                             " points and as many curves and other parts, but " +
+                             std::to_string(figure.number_of_points()) + " points and " +
+                             std::to_string(figure.shapes().size()) + " curves and other parts were given");
     check_writable(figure);
     check_values(figure, m_is_binary);
     for(const Value_kind& kind : figure.value_kinds())

@@ -35,7 +35,8 @@ double greatest_point_distance_of(const NamedParameters& np)
   if constexpr(is_given<NamedParameters, Point_distance_parameter>) {
     const double distance = parameters::get_parameter(np, point_distance_parameter);
     if(!(distance >= 0))
-      throw Invalid_parameter_error("greatest_point_distance is " + written(distance) + ", but must not be negative");
+      throw Invalid_parameter_error("greatest_point_distance is " + written(distance) +
+                                    ", but must be a number that is not negative");
     return distance;
   } else {
     return static_cast<void>(np), std::numeric_limits<double>::infinity();
