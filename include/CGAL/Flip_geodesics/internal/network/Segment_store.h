@@ -893,7 +893,8 @@ void check_chain(const Triangulation& triangulation, const HalfedgeRange& halfed
   if(first == null_index)
     throw Invalid_curve_error("a curve has no edges; pass at least one halfedge");
   if(is_closed && triangulation.head(last) != triangulation.tail(first))
-    throw Invalid_curve_error("a closed curve does not end where it starts", {position});
+    throw Invalid_curve_error("the last halfedge of a closed curve does not end where the first one starts",
+                              {position});
 }
 
 } // namespace CGAL::Flip_geodesics::internal
