@@ -268,7 +268,8 @@ BOOST_AUTO_TEST_CASE(curve_files)
   BOOST_CHECK_EQUAL(pairs("\xef\xbb\xbf"
                           "0 5\r\n1\t3 # c\r\r2 4"),
                     "read: 3");
-  check_has(pairs("0 1\n0 99999999999999999999\n"), "a.txt line 2: the vertex of a point is 1e+20, but must be a whole");
+  check_has(pairs("0 1\n0 99999999999999999999\n"),
+            "a.txt line 2: '99999999999999999999' is not the number of a vertex; write a whole number");
   BOOST_CHECK_EQUAL(pairs("0,5\n1, 3\n0.5,0,0 0\n0.5,0,0,0,0.5,1\n"), "read: 4");
   check_has(pairs("0,1,2\n"), "a pair consists of two points, not 1");
   check_has(pairs("0 6\n"), "a.txt line 1: vertex 6 does not exist; use 0 to 5");
