@@ -268,8 +268,8 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  *            faces is checked. The exception is also thrown if a face in which a point in space is searched for is not
  *            a triangle, or if a point is given as a vertex, a `Surface_location` or a `Surface_point` and the mesh is
  *            a `Surface_mesh` that contains removed vertices or edges
- * \exception Invalid_coordinate_error if a corner of a face named at `Invalid_mesh_error` has a coordinate that is not
- *            finite. In this case, `elements()` returns the position of the corner in the range of vertices
+ * \exception Invalid_coordinate_error if a corner of one of the faces that must be triangles has a coordinate that is
+ *            not finite. In this case, `elements()` returns the position of the corner in the range of vertices
  * \exception Invalid_parameter_error if the snapping tolerance is out of range
  *
  * Complexity: \cgalBigO{n \log n} for \f$n\f$ points and crossings in total if each face contains few of them. The time
