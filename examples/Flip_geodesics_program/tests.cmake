@@ -255,7 +255,15 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(ambiguous_point_of_no_edge 2 "--trace: '500,0,1' is ambiguous. write 500.0,0.0,1 for" trace
                                   torus.off --trace 500,0,1,0.5,2)
   set(in_space "or write x.0,y.0,z for a point in space")
-  flip_geodesics_add_program_test(whole_coordinates 2 "--from: '20,8,10' is outside its edge. t must be .* at most 1, ${in_space}"
+  flip_geodesics_add_program_test(point_beyond_edge 2 "--from: '20,8,1.5' is outside its edge. t must be .* at most 1, ${in_space}"
+                                  path torus.off --from 20,8,1.5 --to 150)
+  flip_geodesics_add_program_test(sources_as_vertices 0 "sources  3: vertex 1, vertex 2, vertex 0; distances confirmed"
+                                  distance torus.off --source 1,2,0 --map sources.csv)
+  file(WRITE ${program_dir}/nearly_flat.off "OFF\n5 4 0\n0 0 0\n2 0 0\n1 1e-12 0\n1 1 0\n1 -1 0\n3 0 1 2\n3 1 3 2\n3 3 0 2\n"
+       "3 0 4 1\n")
+  flip_geodesics_add_program_test(distances_not_confirmed 0 "sources  1: point 1.0,-0.5,0; distances not confirmed" distance
+                                  nearly_flat.off --source 1.0,-0.5,0 --map nearly_flat.csv)
+  flip_geodesics_add_program_test(whole_coordinates 2 "--from: '20,8,10' is ambiguous. write 20.0,8.0,10 for a point in space\n"
                                   path torus.off --from 20,8,10 --to 150)
   flip_geodesics_add_program_test(coordinates_beyond_vertices 2
                                   "--from: vertex 500 does not exist. use 0 to 287, ${in_space}" path torus.off --from

@@ -24,11 +24,12 @@
  * | computation | result if it is stopped |
  * |---|---|
  * | the search for a path with `Shortest_edge_path`, `shortest_halfedges_through()`, `shortest_loop()` | no halfedges |
- * | the search for the edge path in `geodesic_path()`, `geodesic_paths()`, `add_shortest_path()` | no path, and the
- * status `Shortening_status::STOPPED_BY_VISITOR` | | `Landmark_distances`, `Geodesic_landmarks`, `geodesic_landmarks()`
- * | `is_complete()` returns `false`; all bounds are zero | | `Loop_basis` | `is_complete()` returns `false`; the basis
- * is empty | | `handle_and_tunnel_loops()` | no loops | | `add_cut_graph()` | no curves | | `isolines()`,
- * `voronoi_boundaries()` | no output |
+ * | the search for the edge path in `geodesic_path()`, `geodesic_paths()`, `add_shortest_path()` | no path, and the status `Shortening_status::STOPPED_BY_VISITOR` |
+ * | `Landmark_distances`, `Geodesic_landmarks`, `geodesic_landmarks()` | `is_complete()` returns `false`; all bounds are zero |
+ * | `Loop_basis` | `is_complete()` returns `false`; the basis is empty |
+ * | `handle_and_tunnel_loops()` | no loops |
+ * | `add_cut_graph()` | no curves |
+ * | `isolines()`, `voronoi_boundaries()` | no output |
  *
  * `shorten_cut_graph()` and `geodesic_loop_basis()` shorten curves several times. After the visitor has stopped one of
  * these shortenings, the remaining shortenings do not take any steps; `geodesic_loop_basis()` then writes the loops

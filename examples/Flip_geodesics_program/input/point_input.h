@@ -212,7 +212,8 @@ private:
   {
     const auto piece = [&](std::size_t i) { return printable(pieces[i]); };
     throw Bad_input(name + ": '" + printable(word) + "' is ambiguous; write " + piece(0) + ".0," + piece(1) + ".0," +
-                    piece(2) + " for a point in space, or " + piece(t == 0 ? 0 : 1) + " for the vertex");
+                    piece(2) + " for a point in space" +
+                    (t == 0 || t == 1 ? ", or " + piece(t == 0 ? 0 : 1) + " for the vertex" : ""));
   }
 
   Surface_location in_face(const std::vector<double>& n, std::string_view word, const std::string& name)
@@ -221,13 +222,13 @@ private:
     const bool is_on_edge = n.size() == 3;
     const std::string alternative = is_on_edge ? advice_on_coordinates : "";
     const double t = n[is_on_edge ? 2 : 3], u = is_on_edge ? 0 : n[4];
+    if(is_on_edge && are_whole(word))
+      throw_ambiguous(pieces, word, name, t);
     if(!(t >= 0 && u >= 0 && t + u <= 1))
       throw Bad_input(name + ": '" + printable(word) +
                       (is_on_edge ? "' is outside its edge; t must be at least 0 and at most 1"
                                   : "' is outside its face; t and u must be at least 0, and their sum at most 1") +
                       alternative);
-    if(is_on_edge && are_whole(word))
-      throw_ambiguous(pieces, word, name, t);
     const auto vertex = [&](std::size_t i) { return read_vertex(m_input_mesh, pieces[i], name, alternative); };
     const Vertex_index a = vertex(0), b = vertex(1), c = is_on_edge ? Vertex_index() : vertex(2);
     const auto weight = [](double x) { return x < 1e-100 ? 0 : x; }; // the least positive one of a location

@@ -192,14 +192,30 @@ Distance_map distance_map(const Slit_surface& surface, std::size_t number_of_ver
 
 template <class Metric>
 std::vector<std::vector<double>> distances_between(const Mesh& mesh, const Metric& metric,
-                                                   const std::vector<FG::Surface_location>& points, Progress& progress)
+                                                   const std::vector<FG::Surface_location>& points, Progress& progress,
+                                                   bool& are_confirmed)
 {
   progress.enter("computing distances between sources", "sources", points.size());
   Share_visitor visitor(progress);
   std::vector<std::vector<double>> rows;
-  FG::geodesic_distance_matrix(mesh, points, std::back_inserter(rows), CGAL::parameters::metric(metric),
-                               CGAL::parameters::visitor(std::ref(visitor)));
+  const FG::Distances_report report =
+      FG::geodesic_distance_matrix(mesh, points, std::back_inserter(rows), CGAL::parameters::metric(metric),
+                                   CGAL::parameters::visitor(std::ref(visitor)));
+  are_confirmed = are_confirmed && report.is_confirmed();
   return rows;
+}
+
+std::string describe_distances(const Field_request& request, bool are_confirmed)
+{
+  constexpr std::size_t most_names = 4;
+  std::string names;
+  for(std::size_t i = 0; i < (std::min)(request.sources.size(), most_names); ++i)
+    names += (i == 0 ? ": " : ", ") + request.sources[i].name;
+  return "sources  " + readable(request.sources.size()) + names + (request.sources.size() > most_names ? ", ..." : "") +
+         "; distances " +
+         (are_confirmed ? "confirmed\n"
+                        : "not confirmed: rounding errors can exceed 1e-10 of a distance, or faces are almost "
+                          "degenerate\n");
 }
 
 // The least factor of the length of a segment in the mesh to its length in a metric; 1 if both are the same.
@@ -256,7 +272,8 @@ void check_that_sources_are_apart(const Triangulation& triangulation, const Mesh
 {
   const double rounding = 1e-12 * size_of(mesh);
   const auto distance = [&](std::size_t p, std::size_t q) {
-    return distances_between(mesh, triangulation.metric(), {sources[p], sources[q]}, progress)[0][1];
+    bool is_confirmed = true; // does not matter here
+    return distances_between(mesh, triangulation.metric(), {sources[p], sources[q]}, progress, is_confirmed)[0][1];
   };
   const auto is_rounding = [&](double d) { return 0 < d && d <= rounding; };
   std::vector<std::pair<Point_3, std::size_t>> points;
@@ -310,14 +327,20 @@ Field_curves curves_in_metric(const Slit_surface& surface, const Metric& metric,
   const bool has_isolines = !request.levels.empty() || request.spacing > 0;
   Progress_visitor visitor(progress);
   const bool is_computed = request.is_map || has_boundaries || has_isolines;
-  if(is_computed &&
-     field.compute(CGAL::parameters::visitor(std::ref(visitor))).status != FG::Distance_field_status::COMPLETE)
-    throw std::runtime_error("the distances cannot be computed: the mesh is too large or has degenerate faces; "
-                             "simplify it, or use --repair");
+  bool are_confirmed = true;
+  if(is_computed) {
+    const FG::Distance_field_report report = field.compute(CGAL::parameters::visitor(std::ref(visitor)));
+    if(report.status != FG::Distance_field_status::COMPLETE)
+      throw std::runtime_error("the distances cannot be computed: the mesh is too large or has degenerate faces; "
+                               "simplify it, or use --repair");
+    are_confirmed = FG::is_confirmed(report.verdict);
+  }
 
   Field_curves result;
   if(request.is_matrix)
-    result.matrix = distances_between(mesh, metric, sources, progress);
+    result.matrix = distances_between(mesh, metric, sources, progress, are_confirmed);
+  if(is_computed || request.is_matrix)
+    result.remarks = describe_distances(request, are_confirmed);
   const Distance_map map = is_computed ? distance_map(surface, number_of_vertices, field) : Distance_map();
   if(request.is_map)
     result.map = map;

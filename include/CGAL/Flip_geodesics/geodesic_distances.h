@@ -889,8 +889,8 @@ Distances_report geodesic_distances(const TriangleMesh& mesh, const Sources& sou
  *
  * The directions are angles on the surface in radians, counterclockwise, between 0 and the sum of the face angles
  * around the source. If the source is on the border, they are measured from the border. Otherwise, they are measured
- * from the halfedge `Logarithmic_map_result::halfedge()` that is returned for the same source by the overload of
- * `logarithmic_map()` with targets; for a `Surface_mesh`, it is `opposite(halfedge(source, mesh), mesh)`.
+ * from the halfedge `Logarithmic_map_result::halfedge()` of the result that a call with targets returns for the same
+ * source; for a `Surface_mesh`, it is `opposite(halfedge(source, mesh), mesh)`.
  *
  * The map is computed with a `Geodesic_distance_field`. If the result of the field is not confirmed, a tree of
  * geodesics is grown, and its paths are made shortest, as in `geodesic_distances()`.

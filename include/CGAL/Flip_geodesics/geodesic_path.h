@@ -223,9 +223,10 @@ Geodesics_result<OutputIterator> geodesic_network(const TriangleMesh& mesh, cons
   internal::compiled::check_instance<TriangleMesh, internal::Joined<NamedParameters...>>();
   using Form =
       internal::Form_by_name<TriangleMesh, internal::Joined<NamedParameters...>, OutputIterator, internal::Vector_of>;
-  static_assert(internal::is_range_of_ranges<CurveRange>,
-                "pass several curves as a range of ranges of vertices; for a single curve, call geodesic_loop() or "
-                "geodesic_path_through()");
+  static_assert(
+      internal::is_range_of_ranges<CurveRange>,
+      "pass curves as a range of ranges of vertices; for a single curve, pass a range that contains only this "
+      "curve");
   std::vector<internal::Vertices_of<TriangleMesh>> copies;
   for(const auto& curve : curves)
     copies.push_back(internal::vertices_of_mesh(mesh, curve));
