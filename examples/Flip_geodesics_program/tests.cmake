@@ -221,13 +221,13 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(edges_with_commas 0 "2 LOCALLY_SHORTEST" path torus.off --edges path.csv)
   flip_geodesics_add_program_test(no_pair 2 "no_pair.csv line 1: a pair consists of two points, not 1" path torus.off --pairs
                                   no_pair.csv)
-  flip_geodesics_add_program_test(no_edge_but_space 2 "--to: '0,100,0.5' names .*write x.0,y.0,z for a point in space"
+  flip_geodesics_add_program_test(no_edge_but_space 2 "--to: '0,100,0.5' names .*for a point in space, write x or y with a decimal point"
                                   path torus.off --from 0 --to 0,100,0.5)
   # Coordinates are not read as numbers of vertices.
   file(WRITE ${program_dir}/coordinates.txt "20.0 8 10 8.0 20 3\n")
   file(WRITE ${program_dir}/closed_coordinates.txt "o 20.0 0 0 20.0 8 0 1 2 3\n")
   file(WRITE ${program_dir}/exponents.txt "2e1 8\n")
-  set(no_vertex "is not the number of a vertex. write a whole number, counted from 0, or x.0,y.0,z, [^\n]* point in space")
+  set(no_vertex "is not the number of a vertex. write a whole number, counted from 0, or a point in space without blanks, as in 3.0,4,5")
   flip_geodesics_add_program_test(decimal_vertex 2 "--from: '20.0' ${no_vertex}" path torus.off --from 20.0 --to 150)
   flip_geodesics_add_program_test(decimal_target 2 "--to: '150.' ${no_vertex}" shortest torus.off --from 20 --to 150.)
   flip_geodesics_add_program_test(decimal_source 2 "--source: '20.0' ${no_vertex}" distance torus.off --source 20.0
@@ -254,8 +254,8 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   log torus.off --source 0,1,1)
   flip_geodesics_add_program_test(ambiguous_point_of_no_edge 2 "--trace: '500,0,1' is ambiguous. write 500.0,0.0,1 for" trace
                                   torus.off --trace 500,0,1,0.5,2)
-  set(in_space "or write x.0,y.0,z for a point in space")
-  flip_geodesics_add_program_test(point_beyond_edge 2 "--from: '20,8,1.5' is outside its edge. t must be .* at most 1, ${in_space}"
+  set(in_space "for a point in space, write x or y with a decimal point")
+  flip_geodesics_add_program_test(point_beyond_edge 2 "--from: '20,8,1.5' is outside its edge. t must be .* at most 1. ${in_space}"
                                   path torus.off --from 20,8,1.5 --to 150)
   flip_geodesics_add_program_test(sources_as_vertices 0 "sources  3: vertex 1, vertex 2, vertex 0; distances confirmed"
                                   distance torus.off --source 1,2,0 --map sources.csv)
@@ -266,7 +266,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(whole_coordinates 2 "--from: '20,8,10' is ambiguous. write 20.0,8.0,10 for a point in space\n"
                                   path torus.off --from 20,8,10 --to 150)
   flip_geodesics_add_program_test(coordinates_beyond_vertices 2
-                                  "--from: vertex 500 does not exist. use 0 to 287, ${in_space}" path torus.off --from
+                                  "--from: vertex 500 does not exist. use 0 to 287. ${in_space}" path torus.off --from
                                   500,0,0.5 --to 150)
   flip_geodesics_add_program_test(far_end 0 "1 point is not on the mesh, but at a distance of 1e.70 .--to" path torus.off
                                   --from 0 --to 1e70,0,0)
@@ -885,7 +885,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   path zero_length.off --pairs zero_length.txt --kernel certified)
   flip_geodesics_add_program_test(zero_length_tree 0 "3 LOCALLY_SHORTEST.*3 curves were computed after" log zero_length.off --source 0 --map
                                   zero_length.csv)
-  flip_geodesics_add_program_test(tiny_length 1 "has the length 1e-170[^\n]*. scale the mesh\n" path tiny.off --from 0 --to 1)
+  flip_geodesics_add_program_test(tiny_length 1 "has the length 1e-170[^\n]*. scale the mesh or correct this length\n" path tiny.off --from 0 --to 1)
   flip_geodesics_add_program_test(projected_to_no_area 0 "LOCALLY_SHORTEST" path flat.off --draw flat.polylines.txt)
   flip_geodesics_add_program_test(no_area 2 "all faces of the mesh are degenerate" path no_area.off --draw
                                   flat.polylines.txt)

@@ -75,10 +75,10 @@ public:
   /// The arc is empty if and only if `is_turning_back(joint)` is `true`. In this case, a curve that consists of only
   /// these two segments contracts to a point.
   ///
-  /// The function appends to `affected` both sides of each new joint, except as stated below. A joint is new if it contains a new segment, or
-  /// if its two segments have become consecutive because the arc is empty. The function also appends each side of a
-  /// joint whose wedge has become free because the ends inside the wedge were removed. A model may append further
-  /// sides, since `shorten()` ignores wedges that are not free.
+  /// The function appends to `affected` both sides of each new joint, except as stated below. A joint is new if it
+  /// contains a new segment, or if its two segments have become consecutive because the arc is empty. The function also
+  /// appends every other `Joint` (side of a joint) whose wedge has become free because the segment ends inside it were
+  /// removed. A model may append further sides, since `shorten()` ignores wedges that are not free.
   ///
   /// A model may omit a side if the angle on this side is known to be at least \f$\pi\f$. At the joints between two new
   /// segments, this is known for the side opposite to `joint.side`. At the joints at the two ends of the arc, it is

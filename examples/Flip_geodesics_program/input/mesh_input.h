@@ -84,7 +84,8 @@ inline void check_soup(const Soup& soup)
     const std::string name = "face " + std::to_string(f);
     if(face.size() != 3)
       throw Bad_input(name + " has " + counted(face.size(), "vertex", "vertices") +
-                      ", but only triangles are accepted; triangulate the mesh");
+                      ", but only triangles are accepted; " +
+                      (face.size() < 3 ? "remove the face" : "triangulate the mesh"));
     if(face[0] == face[1] || face[1] == face[2] || face[2] == face[0])
       throw Bad_input(name + " has vertex " + std::to_string(face[0] == face[1] ? face[0] : face[2]) +
                       " more than once; remove the face");

@@ -147,7 +147,8 @@ inline bool are_whole(std::string_view numbers)
 }
 
 /// What to write instead of three numbers that do not denote a point of an edge, for messages.
-constexpr const char* advice_on_coordinates = ", or write x.0,y.0,z for a point in space";
+constexpr const char* advice_on_coordinates =
+    "; for a point in space, write x or y with a decimal point, as in 3.0,4,5";
 
 /// \param alternative what to write instead of the number of a vertex, for messages \throws Bad_input
 inline Vertex_index read_vertex(const Input_mesh& mesh, std::string_view word, const std::string& name,
@@ -155,9 +156,10 @@ inline Vertex_index read_vertex(const Input_mesh& mesh, std::string_view word, c
 {
   long long number = 0;
   if(parse_number(word, number) != nullptr)
-    throw Bad_input(name + ": '" + printable(word) +
-                    "' is not the number of a vertex; write a whole number, counted from 0, or x.0,y.0,z, with commas "
-                    "and without blanks, for a point in space");
+    throw Bad_input(
+        name + ": '" + printable(word) +
+        "' is not the number of a vertex; write a whole number, counted from 0, or a point in space without "
+        "blanks, as in 3.0,4,5");
   return mesh.vertex(number, name, alternative);
 }
 

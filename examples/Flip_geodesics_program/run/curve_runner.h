@@ -93,8 +93,8 @@ public:
       m_triangulation.rollback();
     } catch(const FG::Crossing_curves_error& error) {
       const std::string vertex = std::to_string(error.elements().front());
-      throw Bad_input(name + error.what() + "; separate them, or fix them at this vertex by a line `! " + vertex +
-                      "` in a file for --network");
+      throw Bad_input(name + error.what() + "; separate them, or use the command network with a line `! " + vertex +
+                      "` in its file, which keeps them in place at this vertex");
     } catch(const FG::Ambiguous_order_error& error) {
       throw Bad_input(name + error.what() + "; move the curves to different edges");
     } catch(const FG::Error&) {

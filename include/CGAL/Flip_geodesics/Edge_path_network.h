@@ -44,9 +44,10 @@ namespace CGAL::Flip_geodesics {
  * vertex.
  *
  * `is_valid()` checks the following invariant. Curves are chains, and each bundle contains exactly the segments on its
- * edge. Around each vertex, the segment ends that free joints connect form a non-crossing matching. All other segment
- * ends at the vertex, and the border, lie in one region of this matching. Added curves can violate the conditions on
- * the matching; `order_overlapping_curves()` orders the segments such that these conditions hold, if possible.
+ * edge. Around each vertex, the pairs of segment ends that are connected by free joints form a non-crossing matching.
+ * All other segment ends at the vertex, and the border, lie in one region of this matching. Added curves can violate
+ * the conditions on the matching; `order_overlapping_curves()` orders the segments such that these conditions hold, if
+ * possible.
  *
  * Indices of removed segments are not reused, except after a call of `clear()`.
  *
@@ -548,7 +549,7 @@ std::vector<Halfedge_index> halfedges_through(const Triangulation& triangulation
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Returns the chain of input halfedges along edge paths between consecutive waypoints. The object `search` computes
+ * Returns a chain of halfedges that leads along edge paths from each waypoint to the next. The object `search` computes
  * each of these paths.
  *
  * \param search a `Shortest_edge_path` on a triangulation whose edges are still those of the input

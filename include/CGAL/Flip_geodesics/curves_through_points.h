@@ -47,9 +47,9 @@ enum class Spline_kind {
  * Casteljau's algorithm with geodesics instead of straight lines. Each curve is subdivided into pieces. On a planar,
  * convex mesh, the points at which consecutive pieces meet lie on the B&eacute;zier curve up to rounding errors.
  *
- * Each *leg* of a control polygon, the geodesic between two consecutive control points, is shortened independently, in
- * a triangulation that is restored afterwards. Legs can therefore pass through control points, overlap, and cross one
- * another, so the control polygon can cross itself.
+ * Each *leg* of a control polygon is a geodesic between two consecutive control points. The legs are computed
+ * independently of one another, and the triangulation is restored after each. Legs can therefore pass through control
+ * points, overlap, and cross one another, so the control polygon can cross itself.
  *
  * De Casteljau's algorithm repeatedly replaces a polygon by the polygon of the midpoints of its legs. Each new leg is
  * obtained by shortening the path that follows the old legs from one midpoint to the next. The spline therefore stays
@@ -72,8 +72,8 @@ public:
    *
    * \param triangulation a triangulation of the input without flips and curves; it must outlive the spline
    * \param control_points a range of at least two points of the surface, of any type that `surface_location()` accepts.
-   *        A closed spline requires at least three points, and the first point must not be repeated at the end.
-   *        Consecutive points may coincide; the leg between two coincident points has length zero
+   *        A closed spline requires at least three points; a repetition of the first point at the end would count as a
+   *        further point. Consecutive points may coincide; the leg between two coincident points has length zero
    * \param kind the type of the spline
    * \throws Invalid_curve_error if there are fewer than two points, or fewer than three for a closed spline
    * \throws Occupied_triangulation_error if a network has curves in the triangulation

@@ -38,7 +38,8 @@ namespace CGAL::Flip_geodesics {
  *
  * Serves as the base class of visitors of `insert_curves()`; its members do nothing. Derive a visitor from this class,
  * and redefine the members that the visitor needs. The names, the parameters and the order of the calls of the members
- * are those of the corresponding members of `CGAL::Polygon_mesh_processing::Corefinement::Default_visitor`.
+ * are those of the corresponding members of `CGAL::Polygon_mesh_processing::Corefinement::Default_visitor`, except that
+ * `before_edge_split()` and `after_edge_split()` are called once for each new vertex on an edge.
  *
  * \tparam TriangleMesh the mesh into which curves are inserted
  */

@@ -297,8 +297,8 @@ std::vector<Surface_location> complete_polyline(Triangulation& triangulation, co
  * After a call of `Edge_path_network::free_nodes()`, the curve can be shortened.
  *
  * Which edges a segment crosses is decided exactly, from the weights of the points. Several polylines can be added one
- * after another. Polylines can meet at vertices and overlap; `order_overlapping_curves()` detects whether they cross
- * there. Segments that cross elsewhere cannot be edges of one triangulation and are rejected.
+ * after another. Polylines can meet at vertices and overlap; `Edge_path_network::free_nodes()` detects whether they
+ * cross there. Segments that cross elsewhere cannot be edges of one triangulation and are rejected.
  *
  * \param network the network
  * \param polyline a range of points of any type that `surface_location()` accepts. Any two consecutive points must lie

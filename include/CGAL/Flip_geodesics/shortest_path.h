@@ -747,9 +747,9 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
  * empty, and the triangulation has no flipped edges.
  *
  * Complexity: that of `geodesic_path()`, plus \cgalBigO{n \log n + w \log w} time for \f$w\f$ windows. Here, \f$n\f$
- * is the number of vertices for which the lower bounds of the metric on the distances from both ends add up to less
- * than the length of the path. For a metric with points, these bounds are derived from distances in space. In the worst
- * case, the number of windows is \cgalBigO{n^2}.
+ * is the number of vertices for which the lower bounds of the metric on the distances from the source and to the target
+ * add up to less than the length of the path. For a metric with points, these bounds are derived from distances in
+ * space. In the worst case, the number of windows is \cgalBigO{n^2}.
  *
  * The algorithm starts with a geodesic that is obtained by shortening an edge path. The edge path is first straightened
  * (`add_straightened_path()`), unless a visitor must observe the whole process. A lower-bound propagation from the

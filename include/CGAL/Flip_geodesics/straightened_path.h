@@ -251,8 +251,8 @@ private:
  * \throws Occupied_triangulation_error if another network has curves in the triangulation; in this case nothing changes
  *
  * Complexity: each repetition takes time linear in the number of faces of the strip. Roughly one repetition is required
- * for each row of vertices between the path and the geodesic. The number of flips is linear in the number of edges that
- * the geodesic crosses.
+ * for each row of vertices between the path and the geodesic. The number of flips is usually less than 1.4 times the
+ * number of edges that the geodesic crosses, and quadratic in this number in the worst case.
  */
 template <class Network>
 std::size_t add_straightened_path(Network& network, const std::vector<Halfedge_index>& path,

@@ -50,8 +50,9 @@ inline bool is_longer_than_sum(double a, double b, double c)
     throw Degenerate_face_error(
         "the edge between vertices " + std::to_string(v.idx()) + " and " + std::to_string(w.idx()) + " has length zero",
         {static_cast<std::size_t>(v.idx()), static_cast<std::size_t>(w.idx())}, Degeneracy_remedy::CONTRACT);
-  throw_naming<Invalid_coordinate_error>("the edge between vertices ", v, " and ", w, " has the length ", length,
-                                         ", which is not a number between 1e-70 and 1e70; scale the mesh");
+  throw_naming<Invalid_coordinate_error>(
+      "the edge between vertices ", v, " and ", w, " has the length ", length,
+      ", which is not a number between 1e-70 and 1e70; scale the mesh or correct this length");
 }
 
 inline bool satisfy_triangle_inequality(double a, double b, double c)
