@@ -20,8 +20,10 @@ BOOST_AUTO_TEST_CASE(paths) { compare<Certified>("paths", Depends_on::INPUT, Add
 // The same by predicates in double, which decide otherwise where angles are near pi.
 BOOST_AUTO_TEST_CASE(plain_paths) { compare<Plain>("plain_paths", Depends_on::INPUT, Add_paths{20}); }
 
+#ifndef _GLIBCXX_DEBUG // containers that check are larger, so that a limit of memory stops elsewhere
 // Shortened from the edge path on, with landmarks, by runs that stop before the end.
 BOOST_AUTO_TEST_CASE(stopped_paths) { compare<Certified>("stopped_paths", Depends_on::INPUT, Add_stopped_curves()); }
+#endif
 
 // Paths that cross themselves, turn back, and run along the border.
 BOOST_AUTO_TEST_CASE(straightened_walks)
@@ -211,7 +213,7 @@ BOOST_AUTO_TEST_CASE(trees_of_refined_meshes)
 // What happens after a wrong answer of a predicate: rollbacks, limits and refusals, in each algorithm that has its own.
 BOOST_AUTO_TEST_CASE(hostile_paths) { compare_among_lies("hostile_paths", Add_paths{8}); }
 
-#ifndef _GLIBCXX_DEBUG // containers that check are larger, so that a limit of memory stops elsewhere
+#ifndef _GLIBCXX_DEBUG // as for stopped_paths
 BOOST_AUTO_TEST_CASE(hostile_stopped_paths) { compare_among_lies("hostile_stopped_paths", Add_stopped_curves()); }
 #endif
 
