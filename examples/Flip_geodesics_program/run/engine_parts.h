@@ -68,11 +68,16 @@ inline std::string ending(const CGAL::Flip_geodesics::Refinement_report& report)
   switch(report.status) {
   case Refinement_status::BOUNDS_REACHED:
     return "";
-  case Refinement_status::BOUNDS_NOT_REACHABLE:
-    return "; the bounds cannot be reached: " + counted(report.given_up, "face", "faces") +
-           " would require far more vertices than allowed, and " +
-           counted(report.missed - report.given_up, "face is", "faces are") +
-           " too small for double precision, or adjacent to a face that is too small";
+  case Refinement_status::BOUNDS_NOT_REACHABLE: {
+    const std::size_t refused = report.missed - report.given_up;
+    std::string reasons;
+    if(report.given_up > 0)
+      reasons = counted(report.given_up, "face", "faces") + " would require far more vertices than allowed";
+    if(refused > 0)
+      reasons += (reasons.empty() ? "" : ", and ") + counted(refused, "face is", "faces are") +
+                 " too small for double precision, or adjacent to a face that is too small";
+    return "; the bounds cannot be reached: " + reasons;
+  }
   case Refinement_status::VERTEX_LIMIT:
     return "; ended because the limit on inserted vertices was reached; increase --insertion-limit";
   case Refinement_status::STOPPED_BY_VISITOR:

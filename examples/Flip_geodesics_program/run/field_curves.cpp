@@ -168,7 +168,8 @@ std::string missing_levels(const std::vector<double>& levels, const std::set<dou
       if(level >= farthest)
         out << "the distance of the farthest vertex is " << farthest << "; use a smaller distance\n";
       else
-        out << "the isoline is smaller than the tolerance " << tolerance << "; use a smaller --tolerance\n";
+        out << "regions in which distances differ from it by at most the tolerance " << tolerance
+            << " can be missed; use a smaller --tolerance\n";
     }
   return out.str();
 }

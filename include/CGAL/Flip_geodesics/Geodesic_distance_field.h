@@ -110,9 +110,10 @@ struct Distance_field_report
   /// with the number of faces that paths cross, and with the number of crossed edges that are long compared with the
   /// distance. The estimate of the errors is conservative; most errors are far smaller than estimated.
   bool has_inaccurate_distance = false;
-  /// The verdict on the distances. It is `WITHIN_TOLERANCE` if every distance up to `Geodesic_distance_field::reach()`
-  /// differs from the exact distance by at most 1e-10 of the distance. It is `UNDECIDED` if `has_flat_face` or
-  /// `has_inaccurate_distance` is `true`, or if coordinates or lengths of the mesh had to be rounded.
+  /// The verdict on the distances. `WITHIN_TOLERANCE` means that every distance up to
+  /// `Geodesic_distance_field::reach()` differs from the exact distance by at most 1e-10 of the distance. The verdict
+  /// is `UNDECIDED` if `has_flat_face` or `has_inaccurate_distance` is `true`, or if coordinates or lengths of the mesh
+  /// had to be rounded.
   Verdict verdict = Verdict::UNDECIDED;
 };
 

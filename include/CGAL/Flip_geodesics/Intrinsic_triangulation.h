@@ -798,8 +798,8 @@ public:
    * plus the degree of the tail.
    *
    * If points have been inserted, or if flips have replaced all input edges at both ends of `h`, a sequence that is not
-   * stored is derived from the flip log instead. This takes time linear in the total length of the sequences of all
-   * earlier edges from which flips and insertions have derived the edge; stored sequences do not count.
+   * stored is derived from the flip log instead. This takes time linear in the total length of the sequences of the
+   * edges that flips and insertions have successively replaced to produce this edge, not counting stored sequences.
    *
    * \throws Insertion_error if inserted points near a vertex are too close together to be distinguished
    */

@@ -65,8 +65,8 @@ struct Distances_report
   double largest_excess = 0;        ///< the largest remaining excess length of a path, relative to the shortest length
   std::size_t windows = 0;          ///< the number of windows of all searches
   std::size_t flips = 0;            ///< the number of flips by which shortest paths were inserted
-  /// `WITHIN_TOLERANCE` if no path found by the search exceeds the length of a shortest path by more than 1e-10 of this
-  /// length. `UNDECIDED` in the following cases:
+  /// The verdict. `WITHIN_TOLERANCE` means that no path found by the search exceeds the length of a shortest path by
+  /// more than 1e-10 of this length. The verdict is `UNDECIDED` in the following cases:
   /// - the search was aborted or stopped, or encountered a degenerate edge;
   /// - coordinates or lengths of the mesh had to be rounded, or the contraction of degenerate edges may have removed
   ///   shortest paths;

@@ -157,8 +157,8 @@ struct Curve_report
   /// mesh had to be rounded. It is also `UNDECIDED` if `Has_drift` of the traits is `CGAL::Tag_true`, unless the given
   /// ends of the curve coincide; call `certify()` to obtain a verdict in this case.
   Verdict verdict = Verdict::UNDECIDED;
-  /// Whether degenerate edges and folded faces were contracted; see \ref Flip_geodesicsDegenerate. Only the free
-  /// functions set this member.
+  /// Whether degenerate edges and folded faces were contracted; see \ref Flip_geodesicsDegenerate. Only
+  /// functions that take a mesh, such as `geodesic_path()`, set this member.
   bool are_zero_edges_contracted = false;
   /// The distance of each given point from the surface, measured in space; 0 for points given as vertices or locations.
   /// Only free functions that accept points in space set this member; it is empty for a path between two vertices.
